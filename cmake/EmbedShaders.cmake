@@ -1,8 +1,8 @@
-# Turns every GLSL file of shaders_es2/ into a string of one generated header, with
-# `#include "file"` lines replaced by that file. The shaders have no other preprocessing here;
-# the runtime puts the #define lines of a variant in front.
+# Turns every GLSL file of shaders_es2/ into a string of one generated header, and replaces
+# `#include "file"` lines by that file. The shaders get no other preprocessing here; the runtime
+# puts a variant's #define lines in front.
 set(EDGESHADE_SHADER_DIR ${PROJECT_SOURCE_DIR}/shaders_es2)
-# Files that pages leave out: src/scene/build_parts.hpp.
+# Shaders for techniques that pages leave out (src/rivals, src/scene/build_parts.hpp).
 if(EMSCRIPTEN)
   file(GLOB_RECURSE left_out RELATIVE ${EDGESHADE_SHADER_DIR} ${EDGESHADE_SHADER_DIR}/rivals/*)
   list(APPEND left_out light_table.glsl)

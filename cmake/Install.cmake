@@ -1,5 +1,5 @@
-# cmake --install: the program, the libraries with the headers in include/, and what find_package()
-# and pkg-config look for (docs/engine.md).
+# cmake --install: the program, the libraries with the headers in include/, and the files for
+# find_package() and pkg-config (docs/engine.md).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 

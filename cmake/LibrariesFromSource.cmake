@@ -1,11 +1,11 @@
-# Draco, meshoptimizer and ERFA from source, without fused multiply-adds: the floats that they decode and
-# compute are then the same on every processor, and so are packed files (docs/platforms.md).
+# Draco, meshoptimizer and ERFA from source, without fused multiply-adds: so the floats that they
+# decode and compute are the same on every processor, and packed files too (docs/platforms.md).
 include(FetchContent)
 add_compile_options(-ffp-contract=off)
 set(own_unity_build ${CMAKE_UNITY_BUILD})
 set(CMAKE_UNITY_BUILD OFF)
 
-# Debian's source packages where cmake/sources.sh has fetched them, else the same versions from
+# Debian's source packages if cmake/sources.sh has fetched them, else the same versions from
 # upstream.
 foreach(library draco meshoptimizer erfa)
   string(TOUPPER ${library} upper)
@@ -27,13 +27,13 @@ if(NOT draco_POPULATED)
     set(DRACO_JS_GLUE OFF CACHE BOOL "" FORCE)
     get_filename_component(emscripten_folder ${CMAKE_CXX_COMPILER} REALPATH)
     get_filename_component(emscripten_folder ${emscripten_folder} DIRECTORY)
-    set(ENV{EMSCRIPTEN} ${emscripten_folder}) # its CMake asks for it
+    set(ENV{EMSCRIPTEN} ${emscripten_folder}) # Draco's CMake files read it
   endif()
   add_subdirectory(${draco_SOURCE_DIR} ${draco_BINARY_DIR} EXCLUDE_FROM_ALL)
   target_include_directories(draco_static SYSTEM INTERFACE
     $<BUILD_INTERFACE:${draco_SOURCE_DIR}/src> $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}>)
   if(EMSCRIPTEN)
-    # Only what decodes: the rest would be compiled to be thrown away by the linker.
+    # Only the decoding sources: the linker would throw the rest away.
     get_target_property(draco_parts draco_static SOURCES)
     list(FILTER draco_parts EXCLUDE
       REGEX "_(enc|encode|enc_config|options|io|animation|animation_dec)>")
@@ -55,8 +55,8 @@ endif()
 FetchContent_GetProperties(erfa)
 if(NOT erfa_POPULATED)
   FetchContent_Populate(erfa)
-  # Of its 250 files those that src/sun/ephemeris.cpp needs: Earth and Moon, precession and nutation
-  # (IAU 2000B), sidereal time, leap seconds, the ellipsoid.
+  # The files among its 250 that src/sun/ephemeris.cpp needs: Earth and Moon, precession and
+  # nutation (IAU 2000B), sidereal time, leap seconds, the ellipsoid.
   set(parts anp anpm bi00 bp00 cal2jd cp cr dat ee00 ee00b eect00 eform era00 erfadatextra fad03
     fae03 faf03 fal03 falp03 faom03 fapa03 fave03 gd2gc gd2gce gmst00 gst00b ir moon98 numat nut00b
     obl06 obl80 pfw06 plan94 pn00 pn00b pnm00b pr00 rx rxp rxpv rxr ry rz s2pv zp)
@@ -65,7 +65,7 @@ if(NOT erfa_POPULATED)
   add_library(erfa_part STATIC EXCLUDE_FROM_ALL ${parts})
   target_include_directories(erfa_part SYSTEM PUBLIC ${erfa_SOURCE_DIR}/src)
   if(EMSCRIPTEN)
-    target_compile_options(erfa_part PRIVATE -Oz) # a page's weight counts, a sun a frame does not
+    target_compile_options(erfa_part PRIVATE -Oz) # a page's size counts more than speed here
   endif()
   add_library(erfa::erfa ALIAS erfa_part)
 endif()

@@ -1,5 +1,5 @@
-# What the browser's build links: libraries from source, and header-only ones copied from the host so
-# that none of its other headers are seen.
+# Libraries of the browser's build: from source, and header-only ones copied from the host so that
+# none of its other headers are visible.
 add_compile_options(-fwasm-exceptions)
 add_link_options(-fwasm-exceptions)
 

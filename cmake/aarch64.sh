@@ -1,21 +1,21 @@
 #!/usr/bin/env bash
 # cmake/aarch64.sh [FOLDER]   Debian's arm64 libraries for the preset aarch64, unpacked into FOLDER
-#                             (build/aarch64-sysroot). Nothing is installed for it: the machine's own
-#                             packages and lists stay as they are, and no root is needed. The
-#                             sources of Draco, meshoptimizer and ERFA come into build/sources.
+#                             (build/aarch64-sysroot). Installs nothing: the machine's own packages
+#                             and lists stay unchanged, and no root is needed. The sources of
+#                             Draco, meshoptimizer and ERFA go to build/sources.
 # ./test sources it for --long.
 # shellcheck shell=bash
 
-# The compiler and what runs its programs here: ordinary packages of this machine.
+# The compiler, and the emulator that runs its programs here: ordinary packages of this machine.
 aarch64_tools=(g++-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user dpkg-dev)
 aarch64_libraries=(libglm-dev nlohmann-json3-dev libtinygltf-dev libstb-dev libcli11-dev
     libgtest-dev librapidcheck-dev libwebp-dev libwebp7 libegl-dev libgles-dev libegl1 libgles2 libglvnd0)
 
-# What ./test --long builds, and runs but for the program, which is to be linked at least: the one
-# build without Embree, GLFW and cairo.
+# Targets that ./test --long builds and runs, except for the program, which is only linked: this is
+# the one build without Embree, GLFW and cairo.
 aarch64_targets=(preprocess_test closed_chain_test closed_chain_precision_test pack_hashes edgeshade)
 
-# unpack_aarch64 FOLDER: FOLDER/usr, unless it is complete.
+# unpack_aarch64 FOLDER: fills FOLDER/usr, unless it is complete.
 unpack_aarch64() {
     local folder=$1 lists list package
     [[ -e $folder/.complete ]] && return 0
@@ -39,7 +39,7 @@ unpack_aarch64() {
     for package in "$folder"/packages/*.deb; do
         dpkg -x "$package" "$folder"
     done
-    # Some of their CMake files know no other place than /usr.
+    # Some of their CMake files assume /usr.
     find "$folder/usr" -name '*.cmake' -exec sed -i "s|\"/usr|\"$folder/usr|g" {} +
     rm -rf "$folder/packages" "$lists"
     touch "$folder/.complete"

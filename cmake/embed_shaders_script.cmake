@@ -1,5 +1,5 @@
-# Run by EmbedShaders.cmake: -DSHADER_DIR=... -DOUTPUT=... -DLEFT_OUT=... -P this file. LEFT_OUT: files
-# that are embedded nowhere, with commas between them.
+# Run by EmbedShaders.cmake: -DSHADER_DIR=... -DOUTPUT=... -DLEFT_OUT=... -P this file. LEFT_OUT:
+# comma-separated files that are not embedded.
 include(${CMAKE_CURRENT_LIST_DIR}/shader_text.cmake)
 string(REPLACE "," ";" LEFT_OUT "${LEFT_OUT}")
 
@@ -15,7 +15,7 @@ foreach(stage IN LISTS stages)
   endif()
   string(REPLACE "." "_" identifier ${name})
   read_with_includes(${stage} text)
-  if(NOT stage MATCHES "/host/") # hosts read what they take
+  if(NOT stage MATCHES "/host/") # hosts may read this text
     without_comments("${text}" text)
   endif()
   string(APPEND header "inline constexpr char ${identifier}[] = R\"glsl(${text})glsl\";\n\n")

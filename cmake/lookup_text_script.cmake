@@ -1,4 +1,4 @@
-# What hosts' shaders ask, as a module of JavaScript; run by web/CMakeLists.txt:
+# Writes the functions that hosts' shaders call as a JavaScript module; run by web/CMakeLists.txt:
 # -DSHADER_DIR=... -DOUTPUT=... -P this file.
 include(${CMAKE_CURRENT_LIST_DIR}/shader_text.cmake)
 

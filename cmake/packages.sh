@@ -1,4 +1,4 @@
-# Sourced by ./run and ./test: installs the Debian packages that are missing, and only those.
+# Sourced by ./run and ./test: installs missing Debian packages, and no others.
 
 say() { printf '\033[1m==>\033[0m %s\n' "$*" >&2; }
 

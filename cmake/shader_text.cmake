@@ -1,4 +1,4 @@
-# A shader's text with what it includes, but for files of the list LEFT_OUT.
+# A shader's text with its includes, except for files of the list LEFT_OUT.
 cmake_policy(VERSION 3.22)
 function(read_with_includes path result)
   file(READ ${path} text)
@@ -15,8 +15,8 @@ function(read_with_includes path result)
   set(${result} "${text}" PARENT_SCOPE)
 endfunction()
 
-# A shader's text without its comments, which GLSL compilers don't need: compilers of C++ must take
-# no strings of more than 65,536 characters, and pages download each.
+# A shader's text without its comments, which GLSL compilers don't need: C++ compilers need not
+# accept strings of more than 65,536 characters, and every page downloads them.
 function(without_comments text result)
   string(REGEX REPLACE "[ \t]*//[^\n]*" "" text "${text}")
   string(REGEX REPLACE "\n\n+" "\n" text "${text}")

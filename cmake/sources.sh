@@ -1,9 +1,9 @@
 # Sourced by ./run and ./test after packages.sh: libraries that are built from source where Debian's
-# builds don't do, see LibrariesFromSource.cmake.
+# builds won't do, see LibrariesFromSource.cmake.
 # shellcheck shell=bash
 
-# Debian's own sources of this machine, as source packages, in a folder of their own: the machine's
-# lists stay as they are.
+# Debian's own source packages for this machine's sources, in a separate folder: the machine's lists
+# stay unchanged.
 source_lists() {
     local folder=$1 list
     mkdir -p "$folder/parts" "$folder/state/partial"
@@ -16,7 +16,8 @@ source_lists() {
     return 0
 }
 
-# fetch_sources FOLDER: FOLDER/draco, FOLDER/meshoptimizer and FOLDER/erfa, unless they are there.
+# fetch_sources FOLDER: fetches FOLDER/draco, FOLDER/meshoptimizer and FOLDER/erfa, unless they
+# exist.
 fetch_sources() {
     local folder=$1 package lists
     mkdir -p "$folder"

@@ -1,4 +1,4 @@
-# Sourced by ./run and ./test after packages.sh: what the browser's build needs beyond packages.
+# Sourced by ./run and ./test after packages.sh: tools for the browser's build, besides packages.
 # shellcheck shell=bash
 
 source cmake/sources.sh
@@ -7,7 +7,7 @@ web_packages=(emscripten cmake ninja-build dpkg-dev libglm-dev libtinygltf-dev l
     nlohmann-json3-dev)
 web_test_packages=(chromium fonts-dejavu-core)
 
-# build_web: the viewer for browsers, into build/web.
+# build_web: builds the viewer for browsers into build/web.
 build_web() {
     install_packages "${web_packages[@]}"
     fetch_sources build/sources
@@ -37,7 +37,7 @@ run_web() {
     [[ -n $serve ]] || return 0
     while ! python3 -c "import socket; socket.socket().bind(('127.0.0.1', $port))" 2>/dev/null; do
         ((port < 65535)) || exit 1
-        port=$((port + 1)) # somebody else's
+        port=$((port + 1)) # the port is taken
     done
     say "Open http://localhost:$port/ in a browser; Ctrl-C ends it."
     exec python3 -m http.server "$port" --bind 127.0.0.1 --directory build/web

@@ -1,6 +1,6 @@
-// Adds a picture's bytes to sums of 16 bits, of which two pictures hold the low bytes and the high
-// ones: writes the new low bytes or, HIGH, the new high ones. Of alpha, the sums are of pictures in
-// which there is some. Exact, with floats of 10 bits too.
+// Adds a picture's bytes to 16-bit sums, which two pictures hold as low and high bytes. Writes the
+// new low bytes or, with HIGH, the new high bytes. For alpha, the sum counts the pictures in which
+// alpha isn't 0. Exact, even with 10-bit floats.
 #ifdef GL_FRAGMENT_PRECISION_HIGH
 precision highp float;
 #else

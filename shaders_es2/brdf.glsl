@@ -1,5 +1,5 @@
-// glTF 2.0, appendix B: what a surface of microfacets sends to the eye. All terms are times pi, as
-// lights are measured by what a white Lambert surface sends back of them.
+// glTF 2.0, appendix B: light that a microfacet surface sends to the eye. All terms are multiplied
+// by pi, because a light's unit is what a white Lambert surface reflects of it.
 
 // Trowbridge-Reitz (GGX) times Smith's visibility, correlated by height; `alpha`: roughness
 // squared.
@@ -11,15 +11,15 @@ float microfacets(float alpha, float nl, float nv, float nh) {
     return square / (tail * tail) * 0.5 / max(masking, 1e-5);
 }
 
-// Schlick's weight of what is reflected at grazing angles.
+// Schlick's weight for reflection at grazing angles.
 float grazing(float cosine) {
     float away = 1.0 - clamp(cosine, 0.0, 1.0);
     float square = away * away;
     return square * square * away;
 }
 
-// What a white surface reflects of light from everywhere: (scale, bias) of its reflectance at
-// normal incidence, as Karis fitted it (Physically based shading on mobile, 2014).
+// Share of uniform light from all directions that a white surface reflects: (scale, bias) of its
+// reflectance at normal incidence, as fitted by Karis (Physically based shading on mobile, 2014).
 vec2 reflectedFromEverywhere(float roughness, float nv) {
     vec4 r = roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
     float a = min(r.x * r.x, exp2(-9.28 * nv)) * r.x + r.y;

@@ -1,4 +1,4 @@
-// Emits one corner of a pair of caps: what caps.vert and plane_pair_caps.vert have in common.
+// Emits one corner of a pair of caps; shared by caps.vert and plane_pair_caps.vert.
 //
 // Variants: NEAR_DISCARD, the front cap is cut where its triangle was clipped by the near plane;
 // ALPHA_TEST, texture coordinates and alpha for alpha-tested casters, with u_frontCapAtInfinity
@@ -20,14 +20,14 @@ varying vec2 v_clipZW;
 #endif
 #ifdef ALPHA_TEST
 uniform mat3 u_texcoordTransform;
-uniform float u_frontCapAtInfinity; // 1: both caps, the front one at infinity; 0: the front one
-                                    // alone, where it is
+uniform float u_frontCapAtInfinity; // 1: draw both caps, the front one at infinity; 0: only the
+                                    // front cap, in place
 varying vec3 v_alphaLookup;
 varying float v_isBack;
 #endif
 
-// v: 0..2, the front cap, 3..5, the back cap, of a triangle a, b, c that the light sees
-// counter-clockwise (facing > 0), clockwise (facing < 0) or not at all.
+// v: 0..2 for the front cap, 3..5 for the back cap of a triangle a, b, c that the light sees
+// counter-clockwise (facing > 0), clockwise (facing < 0) or not at all (0).
 void emitCap(float v, float facing, vec3 a, vec3 b, vec3 c, vec4 light) {
     bool front = v < 2.5;
     float vertex = front ? v : 5.0 - v;

@@ -1,4 +1,4 @@
-// Caps write the stencil alone. Fragments go where the caster itself has none. TINT and
+// Caps write only the stencil. Fragments are discarded where the caster itself has none. TINT and
 // UNIFORM_TINT: as in sides.frag.
 #ifdef GL_FRAGMENT_PRECISION_HIGH
 precision highp float;
@@ -14,9 +14,9 @@ varying vec2 v_clipZW;
 #endif
 #ifdef ALPHA_TEST
 uniform sampler2D u_texture;
-uniform vec4 u_alphaChannel;  // 1 in the one that has alpha
+uniform vec4 u_alphaChannel;  // 1 in the channel that holds alpha
 uniform float u_alphaScale;
-uniform float u_alphaCutoff; // above any alpha: nothing of the caster is in the depth buffer
+uniform float u_alphaCutoff; // above any alpha: the caster left nothing in the depth buffer
 uniform float u_frontCapAtInfinity;
 varying vec3 v_alphaLookup;
 varying float v_isBack;
@@ -27,11 +27,11 @@ varying vec4 v_color;
 
 void main() {
 #ifdef NEAR_DISCARD
-    // The caster was clipped here (docs/method.md, C11): moved to infinity its cap would count.
+    // The caster was clipped here (docs/method.md, C11): a cap moved to infinity would count here.
     if (v_clipZW.x < -v_clipZW.y) discard;
 #endif
 #ifdef ALPHA_TEST
-    // Where the caster is solid its front cap counts at infinity, in its cutouts where it is.
+    // Where the caster is solid its front cap counts at infinity; in its cutouts, in place.
     float alpha = u_alphaScale * v_alphaLookup.z *
                   dot(texture2D(u_texture, v_alphaLookup.xy), u_alphaChannel);
     bool solid = alpha >= u_alphaCutoff;

@@ -1,11 +1,13 @@
-// Which of a sun's maps a place is looked up in: the finest one that holds it with all that is looked
-// up around it, and near its border the next one, too.
-uniform vec4 u_cascades[MAP_CASCADES]; // a place's xy, times xy, plus zw: in a cascade's texture
-uniform float u_cascadeMargin;         // what lookups may reach, as a share of the texture
-// How wide the border is in which two are blended, as a share of the texture.
+// Chooses the cascade in which a place is looked up: the finest that holds the place and the whole
+// filter around it. Near that cascade's border the next one is looked up too.
+uniform vec4 u_cascades[MAP_CASCADES]; // xy: scale and zw: offset from a place's xy to a cascade's
+                                       // texture
+uniform float u_cascadeMargin;         // farthest that a lookup may reach, as a share of the
+                                       // texture
+// Width of the border in which two cascades are blended, as a share of the texture.
 const float cascadeBorder = 0.05;
 
-// What is being looked up.
+// The cascade in use.
 vec4 mapCascade;
 float mapFace;
 
@@ -17,7 +19,7 @@ void useCascade(int index) {
         }
 }
 
-// Returns the cascade; in `next` the share that the one after it has.
+// Returns the cascade; `next` gets the weight of the one after it.
 int cascadeOf(vec2 at, out float next) {
     int index = MAP_CASCADES - 1;
     next = 0.0;

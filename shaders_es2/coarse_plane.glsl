@@ -1,26 +1,26 @@
 // The plane of the triangle at a fragment, and how coarse_surface.frag stores it for each texel of
 // a coarse mask: three bytes of nearness, one of the direction. Along a plane nearness changes
-// linearly over the picture, so two derivatives tell all of it.
+// linearly over the picture, so two derivatives describe it fully.
 //
 // Space: the camera's, x right, y up, z the depth along the viewing direction, in units of the near
-// plane's distance; ORTHOGRAPHIC, in scene units, z from the near plane on.
+// plane's distance; with ORTHOGRAPHIC in scene units, z starting at the near plane.
 #include "nearness.glsl"
 
 uniform vec2 u_tangents; // half the picture's window, across and up
-uniform vec2 u_middle;   // of the window
-uniform vec2 u_focal;    // fragments a unit of the window
+uniform vec2 u_middle;   // the window's middle
+uniform vec2 u_focal;    // fragments per unit of the window
 #ifdef ORTHOGRAPHIC
 uniform float u_depthRange; // from the near plane to the far plane, scene units
 #endif
 
 struct Plane {
     float nearness; // 0..1
-    vec2 change;    // of it, from a fragment to the next
+    vec2 change;    // of the nearness, from a fragment to the next
     vec3 normal;    // points p of the plane: dot(normal, p) = offset
     float offset;
 };
 
-// Normalised device coordinates.
+// The fragment's place in normalised device coordinates.
 vec2 placeHere() {
 #ifdef ORTHOGRAPHIC
     return v_clip.xy;
@@ -58,7 +58,7 @@ vec4 packPlane(Plane plane) {
     return bytes / 255.0;
 }
 
-// Nearness, direction. Where nothing is the texel is 0.
+// Nearness, then direction. An empty texel is 0.
 vec3 unpackPlane(vec4 texel) {
     vec4 bytes = floor(texel * 255.0 + 0.5);
     float upper = floor(bytes.a / 16.0);

@@ -1,6 +1,6 @@
-// Surfaces as a coarse mask needs them: depth, and of what plane each texel is. Variants
-// ALPHA_TEST, ALPHA_LOOKUP, TEXTURED, COLORED and SLICED: see surface.frag; NEARNESS_ALONE: without the plane, for
-// GLs that have no derivatives, too.
+// Surfaces as a coarse mask needs them: depth, and each texel's plane. Variants ALPHA_TEST,
+// ALPHA_LOOKUP, TEXTURED, COLORED and SLICED: see surface.frag; NEARNESS_ALONE: nearness without
+// the plane, which also works in a GL without derivatives.
 #ifndef NEARNESS_ALONE
 #extension GL_OES_standard_derivatives : enable
 #endif
@@ -36,7 +36,7 @@ varying float v_depth;
 
 void main() {
 #ifndef NEARNESS_ALONE
-    Plane plane = planeHere(); // before anything is discarded: derivatives need their neighbours
+    Plane plane = planeHere(); // before any discard: derivatives need the neighbouring fragments
 #endif
 #ifdef SLICED
     if (v_depth > u_farthest) discard;

@@ -6,7 +6,7 @@ uniform mediump sampler2D u_environment; // lowp, the default, might lose the la
 uniform float u_environmentRoot;              // the square root of the largest radiance in it
 uniform vec3 u_environmentSh[9];
 
-// What a white Lambert surface sends back: irradiance / pi.
+// Light that a white Lambert surface reflects: irradiance / pi.
 vec3 environmentDiffuse(vec3 normal) {
     float x = normal.x, y = normal.y, z = normal.z;
     vec3 sum = u_environmentSh[0];
@@ -17,7 +17,7 @@ vec3 environmentDiffuse(vec3 normal) {
     return max(sum, vec3(0.0));
 }
 
-// Where a direction lies on the map, within [-1, 1]; +Y is its middle, -Y its corners.
+// Place of a direction on the map, within [-1, 1]; +Y is the middle, -Y the corners.
 vec2 octahedralFromDirection(vec3 direction) {
     vec3 size = abs(direction);
     vec2 at = direction.xz / (size.x + size.y + size.z);
@@ -26,7 +26,7 @@ vec2 octahedralFromDirection(vec3 direction) {
     return (vec2(1.0) - abs(at.yx)) * side;
 }
 
-// A level's tile: its first texel, and its size with the border.
+// A level's tile: its first texel, and its size including the border.
 vec3 environmentTile(float level) {
     if (level < 0.5) return vec3(0.0, 0.0, ENVIRONMENT_MIRROR_TILE);
     if (level < 2.5)

@@ -1,5 +1,5 @@
-// Hours of sun as colours: of each pixel the share that its sum of lit masks (see add_bytes.frag) is
-// of the largest, looked up in a row of 256 colours; the background where no surface is.
+// Hours of sunlight as colours: each pixel's sum of lit masks (add_bytes.frag), as a share of the
+// largest sum, is looked up in a row of 256 colours. Pixels without a surface get the background.
 #ifdef GL_FRAGMENT_PRECISION_HIGH
 precision highp float;
 #else
@@ -10,7 +10,7 @@ uniform mediump sampler2D u_low;
 uniform mediump sampler2D u_high;
 uniform mediump sampler2D u_colors;
 uniform vec2 u_texel; // 1 / pixels
-uniform float u_scale; // of a byte's share, 255 / the largest sum
+uniform float u_scale; // makes a byte a share of the largest sum: 255 / that sum
 uniform vec3 u_background;
 
 void main() {

@@ -1,11 +1,14 @@
-// Of LIT variants of surface.frag and material.frag: where the light is seen from a fragment, how
-// far it reaches, and whether shadow lets it through: by the light's shadow map (MAP, with
-// MAP_DIRECTIONAL, PCF and PCSS as in shadow_map_lookup.glsl; SOFT_MAP: of a light with an extent), by a mask of lower resolution
-// (COARSE_MASK), by a primitive map (PRIMITIVE_MAP, see primitive_map_lookup.glsl; with
-// PRIMITIVE_MAP_POINTS how many of a light's places reach there, see primitive_map_points.glsl), by how many of
-// its points are seen from there (VISIBILITY), or as the stencil says, and with SELF_SHADOWED where
-// the surface faces it. DIRECTIONAL: a light of one direction; RANGED and SPOT: one that doesn't reach
-// everywhere, see light_window.glsl. DERIVATIVES: the GL has some, which COARSE_MASK needs.
+// For LIT variants of surface.frag and material.frag: the direction to the light, how far it
+// reaches, and whether shadow lets it through. The shadow comes from
+//   MAP              the light's shadow map, with MAP_DIRECTIONAL, PCF and PCSS as in
+//                    shadow_map_lookup.glsl; SOFT_MAP: the light has an extent
+//   COARSE_MASK      a mask of lower resolution
+//   PRIMITIVE_MAP    a primitive map (primitive_map_lookup.glsl); with PRIMITIVE_MAP_POINTS it
+//                    counts the light's points that reach the fragment (primitive_map_points.glsl)
+//   VISIBILITY       a texture with the share of the light's points that are visible from there
+// or else the stencil; with SELF_SHADOWED a surface is also dark where it faces away from the
+// light. DIRECTIONAL: a light of one direction; RANGED and SPOT: one that doesn't reach everywhere,
+// see light_window.glsl. DERIVATIVES: the GL has derivatives, which COARSE_MASK needs.
 #ifdef DIRECTIONAL
 uniform vec3 u_towardsLight; // of length 1
 #else
@@ -27,8 +30,8 @@ uniform float u_casts; // 1: the surface is a caster, dark where it is turned aw
 #ifdef PRIMITIVE_MAP_POINTS
 #include "primitive_map_points.glsl"
 #endif
-// The light is on the front (1) or the back (-1) of this caster, or grazes it (2); 0: it is none.
-// SIDED: some triangles of the surface face the light and others don't.
+// The light is on the front (1) or the back (-1) of this caster, or grazes it (2); 0: the surface
+// is no caster. SIDED: some triangles of the surface face the light and others don't.
 #ifdef SIDED
 varying float v_lightSide;
 #define LIGHT_SIDE v_lightSide
@@ -41,19 +44,19 @@ varying vec3 v_mapPosition;
 #ifndef PRIMITIVE_MAP_DIRECTIONAL
 varying float v_mapReach;
 #endif
-highp vec3 mapPoint; // what is looked up
+highp vec3 mapPoint; // the point to look up
 
-// Finds it: v_mapPosition, as far towards the light as interpolating may have put it off. Rasterisers
-// reckon from the picture's corner, so that the rounding of a surface seen from its edge, which
-// changes much from pixel to pixel, may put a point behind it. A caster whose plane the light all but
-// lies in is thinner to it than rounding: its points are moved off it, to where they are seen from,
-// which is the light's side wherever the map is asked (docs/method.md, C35). Comes first in main():
-// derivatives need their neighbours.
+// Sets mapPoint: v_mapPosition, moved towards the light by the error of interpolation. Rasterisers
+// compute from the picture's corner. So the rounding of a surface seen from its edge, which changes
+// much from pixel to pixel, may put a point behind it. A caster is thinner than rounding to a light
+// that lies nearly in its plane. Its points are moved off it towards the eye, which is on the
+// light's side wherever the map is queried (docs/method.md, C35). Call it first in main():
+// derivatives need the neighbouring fragments.
 void findMapPoint() {
     mapPoint = v_mapPosition;
 #ifdef PRIMITIVE_MAP_POINTS
-    // Which side of a triangle the light is on is another for each of its places: nothing is moved,
-    // and what lies in a triangle's plane is told by how far off rounding may have put it.
+    // Nothing is moved, because the light's places may be on different sides of a triangle. The
+    // error that rounding may have caused decides whether a point lies in a triangle's plane.
     highp vec3 reach = abs(mapPoint);
     pointError = (64.0 / 16777216.0) * max(1.0, max(max(reach.x, reach.y), reach.z));
 #endif
@@ -68,7 +71,7 @@ void findMapPoint() {
 #ifdef PRIMITIVE_MAP_POINTS
     pointError += error;
 #else
-    highp vec3 normal = cross(along, up) * u_mapHand; // towards the eye
+    highp vec3 normal = cross(along, up) * u_mapHand; // on the eye's side
     highp float size = LIGHT_SIDE == 0.0 ? 0.0 : length(normal);
     highp float aside = 16.0 / 16777216.0 / max(size, 1e-37);
 #ifdef PRIMITIVE_MAP_DIRECTIONAL
@@ -86,7 +89,7 @@ void findMapPoint() {
 #endif
 }
 
-// 1 or 0; with PRIMITIVE_MAP_POINTS how many places.
+// 1 or 0; with PRIMITIVE_MAP_POINTS the number of the light's places that reach the fragment.
 float litByPrimitives() {
     if (facing() * LIGHT_SIDE < 0.0 || LIGHT_SIDE > 1.5) return 0.0;
 #ifdef PRIMITIVE_MAP_POINTS
@@ -98,7 +101,7 @@ float litByPrimitives() {
 #endif
 
 #ifdef VISIBILITY
-uniform mediump sampler2D u_visibility; // a share in red, 255ths of its unit in green
+uniform mediump sampler2D u_visibility; // a share in red; in green, 255ths of red's unit
 uniform vec2 u_visibilityTexel;         // 1 / pixels
 
 float seenOfLight() {
@@ -111,14 +114,14 @@ vec3 towardsLight() {
 #ifdef DIRECTIONAL
     return u_towardsLight;
 #else
-    // Scaled before it is squared, so that far-off lights don't overflow.
+    // Scaled before it is squared, so that distant lights don't overflow.
     return normalize(v_towardsLight / max(max(abs(v_towardsLight.x), abs(v_towardsLight.y)),
                                           max(abs(v_towardsLight.z), 1e-30)));
 #endif
 }
 
-// What shadow leaves of the light, 0..1. `lit`: what a mask of lower resolution says; `normal`
-// points towards the eye; `weight`: 0 where nothing would be seen of it.
+// The share of the light that shadow lets through, 0..1. `lit`: the result of a mask of lower
+// resolution; `normal` points towards the eye; `weight`: 0 where the light adds nothing.
 float lightThrough(float lit, vec3 normal, vec3 light, float weight) {
 #ifdef MAP
     if (dot(normal, light) > 0.0)

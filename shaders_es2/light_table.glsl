@@ -1,12 +1,13 @@
-// Lights without a shadow, and which of them each tile of the picture lists (LightTable in
-// src/render/frame), in one texture: of each tile where its list begins and how long it is, then the
-// lists, four a texel, then lights, four texels each. LIGHT_LIST: turns enough for the longest list.
-// Takes eye.glsl before it.
-uniform highp sampler2D u_lightTable; // lowp, the default, may round what is looked up
+// Lights without a shadow and each tile's list of them (LightTable in src/render/frame), in one
+// texture: for each tile, where its list begins and how long it is; then the lists, four entries a
+// texel; then the lights, four texels each. LIGHT_LIST: length of the longest list, or more.
+// Include eye.glsl first.
+uniform highp sampler2D u_lightTable; // lowp, the default, may round the values
 uniform highp vec3 u_lightTableSize;  // (columns, 1 / columns, 1 / rows)
-uniform highp vec4 u_lightTiles;      // tiles in a row, 1 / a tile's pixels, where lists and lights begin
+uniform highp vec4 u_lightTiles;      // tiles in a row, 1 / a tile's pixels, where lists begin,
+                                      // where lights begin
 
-// Texels are counted through the rows. `columns` is a power of 2, so none of this is rounded.
+// Texels are numbered row by row. `columns` is a power of 2, so none of this is rounded.
 highp vec4 lightTexel(highp float index) {
     highp float row = floor(index * u_lightTableSize.y);
     highp float column = index - row * u_lightTableSize.x;
@@ -14,13 +15,13 @@ highp vec4 lightTexel(highp float index) {
                                         (row + 0.5) * u_lightTableSize.z));
 }
 
-// The fragment's list: where it begins and how long it is, in lights.
+// The fragment's list: its first entry and its length in lights.
 highp vec2 lightListHere() {
     highp vec2 tile = floor(gl_FragCoord.xy * u_lightTiles.y);
     return lightTexel(tile.y * u_lightTiles.x + tile.x).xy;
 }
 
-// How much of its light a spot sends there, as in light_window.glsl. `spot`: its axis, and 1 / (1 -
+// A spot's share of its light there, as in light_window.glsl. `spot`: its axis, and 1 / (1 -
 // cos(outer)).
 float spotWindow(highp vec3 fromLight, highp vec4 spot, float scale) {
     highp vec3 place = fromLight / max(max(abs(fromLight.x), abs(fromLight.y)),
@@ -35,8 +36,8 @@ float spotWindow(highp vec3 fromLight, highp vec4 spot, float scale) {
     return share * share;
 }
 
-// An entry's light as the fragment gets it: how much of it, where it comes from and its colour, of
-// which 1 is what a white Lambert surface sends back of it, straight on.
+// An entry's light as the fragment receives it: its window, its direction and its colour, in which
+// 1 is what a white Lambert surface reflects at normal incidence.
 float listedLight(highp float entry, out vec3 light, out vec3 color) {
     highp float four = floor(0.25 * entry);
     highp vec4 entries = lightTexel(u_lightTiles.z + four);
@@ -44,7 +45,8 @@ float listedLight(highp float entry, out vec3 light, out vec3 color) {
     highp float at = place < 1.5 ? (place < 0.5 ? entries.x : entries.y)
                                  : (place < 2.5 ? entries.z : entries.w);
     highp float texel = u_lightTiles.w + 4.0 * at;
-    highp vec4 where = lightTexel(texel);    // w: 0 directional, 1 a point, 2 falling off; 3, 4: so do spots
+    highp vec4 where = lightTexel(texel);    // w: 0 directional, 1 point, 2 point with falloff; 3,
+                                             // 4: spots likewise
     highp vec4 shining = lightTexel(texel + 1.0); // colour, 1 / range or 0
     light = where.xyz;
     color = shining.rgb;

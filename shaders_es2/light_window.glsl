@@ -1,12 +1,12 @@
-// How much of a light's own strength comes to a point, by where the point is: 0 where it doesn't
+// The share of a light's own strength that its range and cone leave at a point: 0 where it doesn't
 // reach. Variants: RANGED, the window to a range, see Light; SPOT, the factor of a spot, see Cone.
 #ifdef RANGED
 uniform float u_inverseRange;
 #endif
 #ifdef SPOT
 uniform float u_inverseOuter; // 1 / (1 - cos(outer))
-uniform float u_coneScale;    // (1 - cos(outer)) / (cos(inner) - cos(outer)), of hard edges less
-varying vec3 v_cone;          // the light at 0, its axis along z
+uniform float u_coneScale;    // (1 - cos(outer)) / (cos(inner) - cos(outer)), less for hard edges
+varying vec3 v_cone;          // with the light at 0 and its axis along z
 #endif
 
 float lightWindow() {
@@ -17,7 +17,8 @@ float lightWindow() {
     window = max(1.0 - share * share, 0.0);
 #endif
 #ifdef SPOT
-    // Scaled before it is squared. 1 - cos = sin^2 / (1 + cos), which narrow cones need.
+    // Scaled before it is squared. 1 - cos = sin^2 / (1 + cos), which stays precise for narrow
+    // cones.
     vec3 place = v_cone / max(max(abs(v_cone.x), abs(v_cone.y)), max(abs(v_cone.z), 1e-30));
     float aside = dot(place.xy, place.xy);
     float squared = aside + place.z * place.z;

@@ -1,4 +1,4 @@
-// Pixels that a texture, one texel a pixel, marks with alpha; no others.
+// Keeps the pixels that a texture, one texel a pixel, marks with alpha, and discards the others.
 #ifdef GL_FRAGMENT_PRECISION_HIGH
 precision highp float;
 #else

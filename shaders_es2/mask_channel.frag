@@ -1,8 +1,9 @@
-// The share of a light that is seen (sum_share.frag), in all channels; all of it where no surface
-// is. The colour mask says which channel is written.
+// The visible share of a light (sum_share.frag), in all channels; 1 where there is no surface. The
+// colour mask selects the channel that is written.
 #ifdef GL_FRAGMENT_PRECISION_HIGH
 precision highp float;
-uniform highp sampler2D u_visibility; // else what is looked up may be rounded to fewer bits
+uniform highp sampler2D u_visibility; // highp, since lower precisions may round the values to fewer
+                                      // bits
 #else
 precision mediump float;
 uniform mediump sampler2D u_visibility;

@@ -1,14 +1,18 @@
-// Surfaces as their materials say (glTF 2.0, appendix B), in linear light: AMBIENT, what they send
-// back of light from everywhere and what they give off; LIT, of one light; or both. The display's
-// colours are written, or with LINEAR light itself, which is mapped later. BLENDED: see-through
-// ones, colours times alpha. What a material needs: TEXTURED, COLORED, ALPHA_TEST as in
-// surface.frag; REFLECTANCE_MAP, metal and roughness by texture; GLOSSY, specular-glossiness;
-// SPECULAR_MAP, SPECULAR_COLOR_MAP; NORMAL_MAP, with TANGENTS of the vertices or else by
-// derivatives; OCCLUSION_MAP; EMISSIVE and EMISSIVE_MAP; CLEARCOAT with CLEARCOAT_MAP,
-// CLEARCOAT_ROUGHNESS_MAP, CLEARCOAT_NORMAL_MAP. Each map's name + _UV says which coordinates it
-// takes. FALLOFF, of LIT: candela, by the square of the distance. SOFT_TERMINATOR, of LIT: see
-// terminator.glsl. LIGHT_LIST: in place of LIT, of all lights of a tile's list, see light_table.glsl.
-// SLICED: nothing deeper than u_farthest. Of LIT those of light.glsl.
+// Surfaces as their materials describe them (glTF 2.0, appendix B), in linear light. AMBIENT: light
+// from everywhere that they reflect, and light that they emit; LIT: one light; or both. Writes the
+// display's colours or, with LINEAR, light itself, which is mapped later. BLENDED: see-through
+// surfaces, colours times alpha.
+//
+// Variants that a material needs: TEXTURED, COLORED, ALPHA_TEST as in surface.frag;
+// REFLECTANCE_MAP, metal and roughness by texture; GLOSSY, specular-glossiness; SPECULAR_MAP,
+// SPECULAR_COLOR_MAP; NORMAL_MAP, with the vertices' TANGENTS or else by derivatives;
+// OCCLUSION_MAP; EMISSIVE and EMISSIVE_MAP; CLEARCOAT with CLEARCOAT_MAP, CLEARCOAT_ROUGHNESS_MAP,
+// CLEARCOAT_NORMAL_MAP. Each map's name + _UV names its texture coordinates.
+//
+// FALLOFF, with LIT: the light is in candela and falls off with the square of the distance.
+// SOFT_TERMINATOR, with LIT: see terminator.glsl. LIGHT_LIST: all lights of a tile's list in place
+// of LIT, see light_table.glsl. SLICED: discards whatever is deeper than u_farthest. With LIT also
+// the variants of light.glsl.
 #ifdef DERIVATIVES
 #extension GL_OES_standard_derivatives : enable
 #endif
@@ -60,7 +64,7 @@ uniform float u_alphaCutoff;
 uniform float u_transmission;
 #endif
 #ifdef CLEARCOAT
-uniform vec3 u_clearcoat; // how much, its roughness, its normals' scale
+uniform vec3 u_clearcoat; // amount, roughness, scale of its normals
 #ifdef CLEARCOAT_MAP
 uniform sampler2D u_clearcoatMap;
 #endif
@@ -72,7 +76,7 @@ uniform sampler2D u_clearcoatNormalMap;
 #endif
 #endif
 #ifdef AMBIENT
-uniform float u_ambient; // what a white surface sends back of light from everywhere, on average
+uniform float u_ambient; // what a white surface reflects of light from everywhere, on average
 #ifdef OCCLUSION_MAP
 uniform sampler2D u_occlusionMap;
 uniform float u_occlusionStrength;
@@ -95,7 +99,7 @@ varying float v_depth;
 #include "tone_mapping.glsl"
 #include "brdf.glsl"
 #ifdef LIT
-uniform vec3 u_lightColor; // what a white Lambert surface sends back of it, straight on
+uniform vec3 u_lightColor; // what a white Lambert surface reflects of it at normal incidence
 #include "light.glsl"
 #endif
 #ifdef LIGHT_LIST
@@ -105,14 +109,14 @@ uniform vec3 u_lightColor; // what a white Lambert surface sends back of it, str
 #include "terminator.glsl"
 #endif
 
-// A surface at the fragment; the eye's side.
+// The surface at the fragment, on the eye's side.
 struct Surface {
     vec3 toEye;
     vec3 normal;
     vec3 diffuse;
     vec3 reflectance; // at normal incidence
     float grazingReflectance;
-    vec2 dielectric; // what keeps light from being scattered: both of these, without the metal's
+    vec2 dielectric; // keeps light from being scattered: both of these, without the metal's part
     float roughness;
 #ifdef CLEARCOAT
     vec3 coatNormal;
@@ -122,8 +126,8 @@ struct Surface {
 };
 
 #if defined(NORMAL_MAP) || defined(CLEARCOAT_NORMAL_MAP)
-// The normal that a texture has at the fragment; `geometric` is the vertices', of the front side.
-// Along v the texture's own y points down, its normals' y up (glTF 2.0, 3.9.3).
+// The normal that a texture gives the fragment; `geometric` is the vertices' normal, of the front
+// side. The texture's own y points down along v, its normals' y up (glTF 2.0, 3.9.3).
 vec3 mappedNormal(vec3 geometric, vec3 texel, float scale, vec2 place) {
     vec3 turned = texel * 2.0 - 1.0;
     turned.xy *= scale;
@@ -205,7 +209,8 @@ Surface surfaceOf(vec3 base) {
     surface.dielectric = vec2(strongest(dielectric), specular);
     surface.diffuse = base * (1.0 - metallic);
 #endif
-    surface.roughness = clamp(surface.roughness, 0.05, 1.0); // a mirror shows no point light
+    surface.roughness = clamp(surface.roughness, 0.05, 1.0); // a perfect mirror wouldn't show a
+                                                             // point light
 #ifdef CLEARCOAT
     surface.coat = u_clearcoat.x;
     surface.coatRoughness = u_clearcoat.y;
@@ -227,14 +232,14 @@ Surface surfaceOf(vec3 base) {
     return surface;
 }
 
-// What is seen of a surface: scattered, which transmission lessens, and reflected.
+// Light that a surface sends to the eye: scattered, which transmission reduces, and reflected.
 struct Seen {
     vec3 scattered;
     vec3 reflected;
 };
 
 #ifdef CLEARCOAT
-// What the coat leaves of all beneath it.
+// Share of the light that the coat passes to and from what is beneath it.
 float beneathCoat(Surface surface) {
     float nv = max(dot(surface.coatNormal, surface.toEye), 0.0);
     return 1.0 - surface.coat * (0.04 + 0.96 * grazing(nv));
@@ -242,7 +247,8 @@ float beneathCoat(Surface surface) {
 #endif
 
 #if defined(LIT) || defined(LIGHT_LIST)
-// Of light from there; 1 is what a white Lambert surface sends back straight on.
+// Adds light from one direction; `color` is 1 for what a white Lambert surface reflects at normal
+// incidence.
 void addLight(Surface surface, vec3 light, vec3 color, inout Seen seen) {
     vec3 halfway = normalize(light + surface.toEye);
     float nl = max(dot(surface.normal, light), 0.0);
@@ -272,8 +278,8 @@ void addLight(Surface surface, vec3 light, vec3 color, inout Seen seen) {
 #endif
 
 #ifdef AMBIENT
-// Of light from everywhere, with what is reflected more than once between facets (Fdez-Aguera,
-// A multiple-scattering microfacet model, 2019).
+// Adds light from everywhere, including multiple reflection between facets (Fdez-Aguera, A
+// multiple-scattering microfacet model, 2019).
 void addAmbient(Surface surface, float occlusion, inout Seen seen) {
     float nv = clamp(dot(surface.normal, surface.toEye), 0.0, 1.0);
     vec2 share = reflectedFromEverywhere(surface.roughness, nv);
@@ -303,7 +309,7 @@ void addAmbient(Surface surface, float occlusion, inout Seen seen) {
 void main() {
     float lit = 1.0;
 #ifdef COARSE_MASK
-    lit = litByCoarseMask(u_casts > 0.5); // first: derivatives need their neighbours
+    lit = litByCoarseMask(u_casts > 0.5); // first: derivatives need the neighbouring fragments
 #endif
 #ifdef PRIMITIVE_MAP
     findMapPoint();
@@ -337,7 +343,7 @@ void main() {
 #ifdef LIT
     vec3 light = towardsLight();
     float window = lightWindow();
-    // Which side of the triangle is lit is the vertices' normal's to say.
+    // The vertices' normal decides which side of the triangle is lit.
     vec3 side = v_normal * facing();
     float weight = window * max(dot(surface.normal, light), 0.0);
 #ifdef CLEARCOAT

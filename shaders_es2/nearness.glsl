@@ -1,6 +1,6 @@
-// How near a fragment is: 1 at the near plane. Perspective: the inverse of the depth in units of the
-// near plane's distance; ORTHOGRAPHIC: what is left to the far plane, as a share of the depth range.
-// Along a plane it changes linearly over the picture.
+// The nearness of a fragment: 1 at the near plane. Perspective: the inverse of the depth in units
+// of the near plane's distance; ORTHOGRAPHIC: the distance left to the far plane, as a share of the
+// depth range. Along a plane it changes linearly over the picture.
 #ifdef ORTHOGRAPHIC
 varying vec3 v_clip; // w is 1
 #else
@@ -17,9 +17,9 @@ float nearnessHere() {
 #endif
 }
 
-const float largestInverse = 16777215.0; // of three bytes
+const float largestInverse = 16777215.0; // the largest number of three bytes
 
-// As 255ths, the highest first.
+// Three bytes as 255ths, the highest first.
 vec3 nearnessBytes(float nearness) {
     float rest = floor(clamp(nearness, 0.0, 1.0) * largestInverse + 0.5);
     vec3 bytes;

@@ -1,4 +1,4 @@
-// Flat coloured triangles over the picture, in its pixels, rows down.
+// Flat coloured triangles over the picture, in its pixels, y down.
 attribute vec2 a_position;
 attribute vec4 a_color;
 

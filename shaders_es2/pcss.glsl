@@ -1,33 +1,34 @@
 // Percentage-closer soft shadows (Fernando 2005): how much of a light with an extent reaches a
-// fragment, by the map of its centre. The mean distance of what the map has between the receiver and
-// any part of the light is looked for; the penumbra that a caster there has is what is filtered.
-// PCSS_RECTANGLE: the light is a rectangle around a point light; else a sphere around one
-// or, with MAP_DIRECTIONAL, a disc. Wants what shadow_map_lookup.glsl has.
+// fragment, by the shadow map of its centre. First it searches for the mean distance of the casters
+// in the map between the receiver and any part of the light, then it filters over the penumbra of a
+// caster at that distance. PCSS_RECTANGLE: the light is a rectangle around a point light; otherwise
+// a sphere around one or, with MAP_DIRECTIONAL, a disc. Needs the declarations of
+// shadow_map_lookup.glsl.
 const int searchTaps = 16;
 const int filterTaps = 32;
-// Casters nearer to a point light than this share of the receiver's distance are not looked for: the
-// search would be so wide that it finds everything else.
+// The search ignores casters nearer to a point light than this share of the receiver's distance: it
+// would be so wide that it finds everything else.
 const float nearestShare = 0.25;
 
 #ifdef PCSS_RECTANGLE
-uniform vec3 u_lightAcross; // half of it, in map space
+uniform vec3 u_lightAcross; // half the rectangle, in map space
 uniform vec3 u_lightUp;
 uniform vec3 u_lightFacing;
 #else
-uniform float u_lightRadius; // of a sphere in map space; of a disc its angle's tangent
+uniform float u_lightRadius; // a sphere's, in map space; for a disc the tangent of its angle
 #endif
-uniform float u_leastSpread; // what is as wide as a texel; for a cube at distance 1
+uniform float u_leastSpread; // the width of a texel; for a cube at distance 1
 #ifndef MAP_DIRECTIONAL
 uniform float u_nearestCaster; // in map space
 #endif
 
-// Where the n-th of `count` taps is on a disc of radius 1, evenly spread (Vogel 1979).
+// Position of the n-th of `count` taps on a disc of radius 1, evenly spread (Vogel 1979).
 vec2 tapOnDisc(float n, float count) {
     float angle = 2.3999632297 * n;
     return sqrt((n + 0.5) / count) * vec2(cos(angle), sin(angle));
 }
 
-// The filter's, on the light; of a rectangle Roberts' sequence in a square from -1 to 1.
+// A tap of the filter, on the light; for a rectangle Roberts' sequence in a square from -1 to 1.
 vec2 filterTap(float n) {
 #ifdef PCSS_RECTANGLE
     return fract((n + 0.5) * vec2(0.7548776662, 0.5698402910)) * 2.0 - 1.0;
@@ -36,7 +37,8 @@ vec2 filterTap(float n) {
 #endif
 }
 
-// The search's: as a share of the extent as far from its middle as on the disc.
+// A tap of the search: on a rectangle as far from its middle, as a share of the extent, as on the
+// disc.
 vec2 searchTap(float n) {
     vec2 tap = tapOnDisc(n, float(searchTaps));
 #ifdef PCSS_RECTANGLE
@@ -45,7 +47,7 @@ vec2 searchTap(float n) {
     return tap;
 }
 
-// How far from the light's middle that is, as a share of its extent.
+// Distance from the light's middle, as a share of the light's extent.
 float shareOfExtent(vec2 onLight) {
 #ifdef PCSS_RECTANGLE
     return max(abs(onLight.x), abs(onLight.y));
@@ -54,10 +56,10 @@ float shareOfExtent(vec2 onLight) {
 #endif
 }
 
-// What the light's axes are in the map around a receiver, per unit of spread.
+// The light's axes in the map around a receiver, per unit of spread.
 struct Spread {
     vec3 across, up;
-    float least; // as wide as a texel
+    float least; // the width of a texel
 };
 
 Spread spreadAt(vec3 at) {
@@ -78,8 +80,8 @@ Spread spreadAt(vec3 at) {
     return s;
 }
 
-// How widely what a caster at that distance leaves of the light spreads over the map: a length in
-// the world of directional lights, of others a share of their size.
+// How widely the shadow of a caster at that distance spreads over the map: for directional lights a
+// length in the world, for others a share of the light's size.
 float spreadOf(float caster, float own) {
 #ifdef MAP_DIRECTIONAL
     return (own - caster) / abs(u_mapScale.z);
@@ -97,7 +99,7 @@ float lightFromMap(vec3 normal, vec3 light) {
     Receiver r = receiverAt(biasedReceiver(normal, light, 1.0), normal);
     Spread s = spreadAt(r.at);
 #ifdef PCSS_RECTANGLE
-    if (dot(u_lightFacing, r.at) <= 0.0) return 0.0; // behind it
+    if (dot(u_lightFacing, r.at) <= 0.0) return 0.0; // behind the light
 #endif
 #ifdef MAP_DIRECTIONAL
     float widest = spreadOf(0.0, r.own);
@@ -107,14 +109,14 @@ float lightFromMap(vec3 normal, vec3 light) {
     widest = max(widest, s.least);
     float before = 0.0, casters = 0.0;
     for (int i = 0; i < searchTaps; ++i) {
-        // Densest where the light's middle is seen, for casters near the receiver.
+        // Densest where the light's middle is seen, to find casters near the receiver.
         vec2 onLight = searchTap(float(i));
         float away = shareOfExtent(onLight);
         float reach = widest * away * away * away;
         vec3 tap = tapAt(r, s, onLight, reach);
         float stored = unpackDistance(texelAt(tap));
         float gap = planeDistance(r, tap) - stored;
-        // What lies beside all ways to the light is no caster.
+        // A place outside all rays to the light is no caster.
         bool isBetween = reach * away <= max(spreadOf(stored, stored + gap), s.least);
         if (gap > 0.0 && isBetween) {
             before += gap;

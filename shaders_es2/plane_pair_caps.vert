@@ -1,8 +1,8 @@
-// Caps of the shadow volumes from records of a triangle and its plane
+// Caps of the shadow volumes, from records of a triangle and its plane
 // (preprocess/volumes/plane_pair_data.hpp).
 //
-// Variants: those of cap_corner.glsl; CULLED, of triangles that show their backs to u_eye front caps
-// alone, where they are (docs/method.md, C39); PROBE, for tests.
+// Variants: those of cap_corner.glsl; CULLED, front caps alone, in place, of triangles that show
+// their backs to u_eye (docs/method.md, C39); PROBE, for tests.
 #include "plane_side.glsl"
 #include "cap_corner.glsl"
 

@@ -11,7 +11,8 @@
 #undef PRIMITIVE_DIRECTIONAL
 #undef PRIMITIVE_TILES
 #ifdef PRIMITIVE_MAP_ANY_LIGHT
-uniform highp float u_primitiveKind; // 0: a directional light; a point light of 1: one tile, 2: six
+uniform highp float u_primitiveKind; // 0: a directional light; 1: a point light of one tile; 2: a
+                                     // point light of six tiles
 #define PRIMITIVE_DIRECTIONAL (u_primitiveKind < 0.5)
 #define PRIMITIVE_TILES (u_primitiveKind > 1.5)
 #else
@@ -34,16 +35,16 @@ uniform highp float u_primitiveSize; // texels along a tile's edge
 #include "primitive_map_tables.glsl"
 #endif
 
-// How far along the ray the last triangle's plane is: a depth of a directional light, else its
-// inverse, as a share of the point's.
+// Where the ray meets the last triangle's plane: a depth for a directional light, else the inverse
+// of its distance, as a share of the point's.
 highp float primitiveBehind;
 
 highp float primitiveHeight;    // of the point behind that plane
-highp float primitiveTolerance; // and of points of it, by rounding
-highp float primitiveMoved;     // towards the light, the point
-highp float primitiveReach;     // of its coordinates from a point light, 0..1
+highp float primitiveTolerance; // rounding error of such heights for points on the plane
+highp float primitiveMoved;     // how far the point was moved towards the light
+highp float primitiveReach;     // of the point's coordinates from a point light, 0..1
 
-// Whether the ray meets the triangle; `ray` is (x, y, 1) of a directional light, else the point.
+// Whether the ray meets the triangle; `ray` is (x, y, 1) for a directional light, else the point.
 bool primitiveMeets(highp float record, highp vec3 ray, highp vec3 point) {
     highp vec4 a = primitiveRecord(3.0 * record);
     highp vec4 b = primitiveRecord(3.0 * record + 1.0);
@@ -53,17 +54,17 @@ bool primitiveMeets(highp float record, highp vec3 ray, highp vec3 point) {
     highp float slope = abs(a.w) + abs(b.w) + abs(c.w);
     primitiveTolerance =
         (64.0 / 16777216.0) * (1.0 + (PRIMITIVE_DIRECTIONAL ? slope : primitiveReach * slope));
-    // Both neighbours compute the same products, but for their sign.
+    // Neighbouring triangles compute the same products, up to their sign.
     return a.x * ray.x + a.y * ray.y + a.z * ray.z >= 0.0 &&
            b.x * ray.x + b.y * ray.y + b.z * ray.z >= 0.0 &&
            c.x * ray.x + c.y * ray.y + c.z * ray.z >= 0.0;
 }
 
 #ifdef PRIMITIVE_MAP_CUTOUTS
-uniform mediump sampler2D u_primitiveAlpha; // all cutouts' textures, looked up texel by texel
+uniform mediump sampler2D u_primitiveAlpha; // all cutouts' textures, sampled texel by texel
 uniform highp vec2 u_primitiveAlphaTexel;   // 1 / its size
 
-// The texel that stands for a place in a row, wherever that is; `wrap`: CutoutWrap.
+// The texel of a row that a place beyond it wraps to; `wrap`: CutoutWrap.
 highp float wrappedTexel(highp float place, highp float size, highp float wrap) {
     if (wrap > 1.5) return clamp(place, 0.0, size - 1.0);
     highp float period = wrap > 0.5 ? 2.0 * size : size;
@@ -91,8 +92,8 @@ highp float cutoutAlpha(highp vec2 uv, highp vec4 rectangle, highp vec4 how) {
     return mix(mix(a, b, share.x), mix(c, d, share.x), share.y);
 }
 
-// Whether the ray, which primitiveMeets() said meets the alpha-tested triangle, meets what its alpha
-// leaves of it.
+// Whether the ray meets the solid part of the alpha-tested triangle, which primitiveMeets() has
+// said it meets.
 bool primitiveIsSolid(highp float record, highp vec3 ray) {
     highp vec4 u = primitiveRecord(3.0 * record + 3.0);
     highp vec4 v = primitiveRecord(3.0 * record + 4.0);
@@ -109,12 +110,12 @@ bool primitiveIsSolid(highp float record, highp vec3 ray) {
 }
 #endif
 
-// What findPrimitiveTexel() finds: the point's ray, its depth, and the texel's header.
+// Results of findPrimitiveTexel(): the point's ray, its depth, and the texel's header.
 highp vec3 primitiveRay;
 highp float primitiveDepth;
 highp vec4 primitiveHeader;
 
-// Finds the texel that holds the point; false: it is past all casters.
+// Finds the texel that holds the point; false if the point is past all casters.
 bool findPrimitiveTexel(highp vec3 point) {
     highp float tile = 0.0;
     highp vec2 at = vec2(point.x, point.y);
@@ -146,7 +147,7 @@ bool findPrimitiveTexel(highp vec3 point) {
     at = at * halfSize + vec2(halfSize);
     highp vec2 cell = clamp(floor(at), vec2(0.0), vec2(u_primitiveSize - 1.0));
     highp float texel = (tile * u_primitiveSize + cell.y) * u_primitiveSize + cell.x;
-    // Far more turns than texels are divided, so that compilers don't unroll the loop.
+    // Far more turns than there are subdivisions, so that compilers don't unroll the loop.
     for (int level = 0; level < 64; ++level) {
         primitiveHeader = primitiveHeaderAt(texel);
         if (primitiveHeader.w >= 0.0) break;
@@ -157,15 +158,16 @@ bool findPrimitiveTexel(highp vec3 point) {
     return true;
 }
 
-// Whether no triangle of the texel need be asked about a point. `casts`: it is on a triangle that
-// casts and is seen and lit from one side. After findPrimitiveTexel() was true.
+// Whether the texel lists no triangle to test for a point. `casts`: the point is on a triangle that
+// casts, and that is seen and lit from the same side. Call it only after findPrimitiveTexel()
+// returned true.
 bool primitiveListIsEmpty(bool casts) {
     highp float list = primitiveHeader.w;
     return list == 0.0 || (casts && list > floor(list));
 }
 
 #ifdef PRIMITIVE_MAP_TINT
-// How many triangles the texel lists for such points.
+// Number of triangles that the texel lists for such points.
 float primitiveListLength(bool casts) {
     if (primitiveListIsEmpty(casts)) return 0.0;
     for (int i = 0; i < PRIMITIVE_MAP_LONGEST; ++i) {
@@ -176,8 +178,9 @@ float primitiveListLength(bool casts) {
 }
 #endif
 
-// Whether the light reaches the point. `casts`: see primitiveListIsEmpty(). Of planes that it is on, as
-// far as rounding tells, the nearest is its own, and others may be before that (docs/method.md, C35).
+// Whether the light reaches the point. `casts`: see primitiveListIsEmpty(). Among the planes that
+// the point lies on, as far as rounding shows, the nearest is its own; others may be before it
+// (docs/method.md, C35).
 bool primitiveMapLights(highp vec3 point, bool casts) {
     if (!findPrimitiveTexel(point)) return true;
     if (primitiveDepth > primitiveHeader.x) return false;
@@ -209,9 +212,10 @@ bool primitiveMapLights(highp vec3 point, bool casts) {
                 }
             }
         }
-        // Here: where pixels are shaded in step, whoever leaves early waits (docs/method.md, C34).
+        // Tested at the end of the loop: where pixels are shaded in step, a fragment that leaves
+        // early only waits for the others (docs/method.md, C34).
         if (primitiveDepth <= entry.w) break; // all further ones are deeper
-        if (casts && entry.x > floor(entry.x)) break; // or are asked by others alone
+        if (casts && entry.x > floor(entry.x)) break; // or only points that don't cast test them
     }
     return !casts || foremost <= own + apart;
 }

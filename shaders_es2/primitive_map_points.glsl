@@ -1,19 +1,19 @@
-// How many of a light's places reach a point, by the primitive map of a light with an extent
-// (docs/method.md, C42; PrimitiveMap in src/shadow/primitive_map): after primitive_map_lookup.glsl,
-// which finds the point's texel. A record holds a triangle's corners a, b, c, first ones first, so
-// that the two triangles of an edge compute the same of it.
-uniform highp vec4 u_placesX[4]; // of 16 places, in map space
+// How many places of a light with an extent reach a point, by the light's primitive map
+// (docs/method.md, C42; PrimitiveMap in src/shadow/primitive_map). Include it after
+// primitive_map_lookup.glsl, which finds the point's texel. A record holds a triangle's corners a,
+// b, c in order, so that both triangles of an edge compute the same for it.
+uniform highp vec4 u_placesX[4]; // x of 16 places, in map space
 uniform highp vec4 u_placesY[4];
 uniform highp vec4 u_placesZ[4];
-uniform highp float u_placesW; // of all of them; 0: they are directions
-uniform highp vec4 u_placesCounted[4]; // 1, or 0: there is none
-uniform highp vec4 u_mapEye;           // where it is seen from, in map space, homogeneous
+uniform highp float u_placesW; // of all places; 0: they are directions
+uniform highp vec4 u_placesCounted[4]; // 1, or 0 for an unused place
+uniform highp vec4 u_mapEye;           // the eye in map space, homogeneous
 
-// How far from a triangle's plane, in map space, rounding may have put a point of it.
+// How far off a triangle's plane rounding may have put a point of it, in map space.
 highp float pointError;
 
-// Of the triangle that is asked about: its edges' planes and its own through the point, and on which
-// side of it the point is.
+// For the triangle being tested: the planes through the point and each edge, the triangle's normal,
+// and the side of it that the point is on.
 highp vec3 edgeAB;
 highp vec3 edgeBC;
 highp vec3 edgeAC;
@@ -21,7 +21,7 @@ highp vec3 triangleNormal;
 highp float abovePlane;
 highp float hand;
 
-// 1 for each of four places that the triangle isn't before, else 0.
+// For each of four places, 1 if the triangle doesn't block it, else 0.
 highp vec4 notBlocked(highp vec4 x, highp vec4 y, highp vec4 z) {
     highp vec4 first = edgeAB.x * x + edgeAB.y * y + edgeAB.z * z;
     highp vec4 second = edgeBC.x * x + edgeBC.y * y + edgeBC.z * z;
@@ -31,13 +31,13 @@ highp vec4 notBlocked(highp vec4 x, highp vec4 y, highp vec4 z) {
     highp vec4 zero = vec4(0.0);
     highp vec4 within = max(step(zero, first) * step(zero, second) * step(third, zero),
                             step(first, zero) * step(second, zero) * step(zero, third));
-    // On the other side of the plane: across < 0.
+    // A place on the other side of the plane has across < 0.
     return vec4(1.0) - within * (vec4(1.0) - step(zero, across));
 }
 
 #ifdef MASK
-// 1 for each of four places that don't just graze the triangle, else 0: the sine of the angle to its
-// plane is above LightContact::grazingSine (docs/method.md, C47).
+// For each of four places, 1 unless it only grazes the triangle, else 0: the sine of the angle to
+// the triangle's plane is above LightContact::grazingSine (docs/method.md, C47).
 highp vec4 notGrazing(highp vec4 x, highp vec4 y, highp vec4 z) {
     highp vec4 across = triangleNormal.x * x + triangleNormal.y * y + triangleNormal.z * z;
     return step(1e-5 * length(triangleNormal) * sqrt(x * x + y * y + z * z), abs(across));
@@ -46,7 +46,7 @@ highp vec4 notGrazing(highp vec4 x, highp vec4 y, highp vec4 z) {
 
 highp float sumOf(highp vec4 four) { return four.x + four.y + four.z + four.w; }
 
-// Of 16. `casts`: see primitiveListIsEmpty().
+// Number of places, of 16, that are seen from the point. `casts`: see primitiveListIsEmpty().
 highp float placesSeen(highp vec3 point, bool casts) {
     highp vec4 seen[4];
     highp vec4 towardsX[4];
@@ -77,7 +77,7 @@ highp float placesSeen(highp vec3 point, bool casts) {
         triangleNormal = cross(b - a, c - a);
         abovePlane = dot(triangleNormal, point - a);
         highp vec3 terms = abs(triangleNormal);
-        // What lies on the triangle is where it is seen from.
+        // A point on the triangle is on the side that it is seen from.
         bool isOn = abs(abovePlane) <= pointError * (terms.x + terms.y + terms.z);
         highp float side =
             isOn ? dot(triangleNormal, u_mapEye.xyz - u_mapEye.w * a) : abovePlane;
@@ -87,14 +87,15 @@ highp float placesSeen(highp vec3 point, bool casts) {
                 seen[k] *= notGrazing(towardsX[k], towardsY[k], towardsZ[k]);
 #endif
         hand = side > 0.0 ? 1.0 : (side < 0.0 ? -1.0 : 0.0);
-        // Not a loop: some GLs end loops after so many turns, those of inner ones counted.
+        // Not a loop: some GLs end loops after a number of turns that includes those of inner
+        // loops.
         seen[0] *= notBlocked(towardsX[0], towardsY[0], towardsZ[0]);
         seen[1] *= notBlocked(towardsX[1], towardsY[1], towardsZ[1]);
         seen[2] *= notBlocked(towardsX[2], towardsY[2], towardsZ[2]);
         seen[3] *= notBlocked(towardsX[3], towardsY[3], towardsZ[3]);
         if (sumOf(seen[0] + seen[1] + seen[2] + seen[3]) == 0.0) return 0.0;
         if (primitiveDepth <= entry.w) break; // all further ones are deeper
-        if (casts && entry.x > floor(entry.x)) break; // or are asked by others alone
+        if (casts && entry.x > floor(entry.x)) break; // or only points that don't cast test them
     }
     return sumOf(seen[0] + seen[1] + seen[2] + seen[3]);
 }

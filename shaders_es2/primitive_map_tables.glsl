@@ -1,12 +1,12 @@
-// What primitive_map_lookup.glsl looks up, in three textures.
-uniform highp sampler2D u_primitiveHeader; // lowp, the default, may round what is looked up
+// The tables of primitive_map_lookup.glsl in three textures.
+uniform highp sampler2D u_primitiveHeader; // lowp, the default, may round the values
 uniform highp sampler2D u_primitiveEntries;
 uniform highp sampler2D u_primitiveRecords;
-uniform highp vec3 u_primitiveHeaderSize; // (columns, 1 / columns, 1 / rows); so the next two
+uniform highp vec3 u_primitiveHeaderSize; // (columns, 1 / columns, 1 / rows), as in the next two
 uniform highp vec3 u_primitiveEntriesSize;
 uniform highp vec3 u_primitiveRecordsSize;
 
-// Texels are counted through the rows. `columns` is a power of 2, so none of this is rounded.
+// Texels are numbered row by row. `columns` is a power of 2, so none of this is rounded.
 highp vec4 primitiveTexel(highp sampler2D table, highp vec3 size, highp float index) {
     highp float row = floor(index * size.y);
     highp float column = index - row * size.x;

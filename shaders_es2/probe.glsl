@@ -1,4 +1,4 @@
-// Test aid: one point a record, its colour a number that the GL implementation computed.
+// Test aid: one point per record, whose colour is a number that the GL computed.
 attribute vec2 a_pixel; // centre of the record's pixel, in normalised device coordinates
 varying vec4 v_color;
 

@@ -1,5 +1,5 @@
-// The receiver around a lookup as the plane that it is, so that wide filters don't find it before
-// itself (Isidoro 2006). Wants what shadow_map_lookup.glsl has.
+// Treats the receiver around a lookup as a plane, so that wide filters don't shadow it by itself
+// (Isidoro 2006). Needs the declarations of shadow_map_lookup.glsl.
 
 struct Receiver {
     vec3 at;    // in map space
@@ -19,7 +19,7 @@ Receiver receiverAt(vec3 at, vec3 normal) {
     return r;
 }
 
-// The distance that the plane has where a tap is.
+// Distance of the plane at a tap.
 float planeDistance(Receiver r, vec3 tap) {
     vec3 aside = tap - r.at;
 #ifdef MAP_DIRECTIONAL

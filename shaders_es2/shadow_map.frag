@@ -1,5 +1,6 @@
-// Writes a caster's distance from the light. Variants: MAP_DIRECTIONAL, a flat map; MAP_PARABOLOID, see
-// shadow_map.vert, with DERIVATIVES the distance in the texel's own direction; ALPHA_TEST.
+// Writes a caster's distance from the light. Variants: MAP_DIRECTIONAL, a flat map; MAP_PARABOLOID,
+// see shadow_map.vert; with DERIVATIVES it writes the distance in the texel's own direction;
+// ALPHA_TEST.
 #ifdef DERIVATIVES
 #extension GL_OES_standard_derivatives : enable
 #endif
@@ -22,10 +23,10 @@ varying vec3 v_mapPosition;
 
 #ifdef MAP_PARABOLOID
 uniform float u_halfSide;
-uniform vec2 u_onDisc; // a pixel's place, times x, plus y: on the disc of a half
+uniform vec2 u_onDisc; // xy: scale and zw: offset from a pixel to its place on a half's disc
 
-// Between vertices positions are in the triangle's plane still, but not where the texel looks: what is
-// stored is where its ray meets the plane.
+// Positions interpolated between vertices are in the triangle's plane, but not on the texel's ray:
+// what is stored is where that ray meets the plane.
 float distanceAlongRay() {
     float distance = length(v_mapPosition);
 #ifdef DERIVATIVES
@@ -35,7 +36,7 @@ float distanceAlongRay() {
     vec3 normal = cross(dFdx(v_mapPosition), dFdy(v_mapPosition));
     float across = dot(normal, ray);
     float met = dot(normal, v_mapPosition) / (abs(across) < 1e-30 ? 1e-30 : across);
-    // A plane seen from its edge, where rounding decides, keeps what is between its vertices.
+    // A plane seen from its edge, where rounding decides, keeps the interpolated distance.
     if (met > 0.1 * distance && met < 10.0 * distance) distance = met;
 #endif
     return distance;

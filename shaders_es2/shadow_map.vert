@@ -1,7 +1,7 @@
-// Casters as a light sees them, for its shadow map. Variants: MAP_PARABOLOID, one half of all directions
-// as a paraboloid mirrors them (Brabec et al. 2002), right at vertices alone: edges stay straight;
-// MAP_WARPED, casters whose pieces are where the map has them already (WarpCuts);
-// ALPHA_TEST, alpha-tested materials.
+// Casters as a light sees them, for its shadow map. Variants: MAP_PARABOLOID, one half of all
+// directions in a paraboloid mirror (Brabec et al. 2002), exact only at vertices: edges stay
+// straight; MAP_WARPED, casters already cut and placed for a warped map (WarpCuts); ALPHA_TEST,
+// alpha-tested materials.
 #include "extrusion.glsl"
 
 attribute vec3 a_position;
@@ -35,7 +35,7 @@ void main() {
     v_alphaLookup = a_color.a;
 #endif
 #ifdef MAP_PARABOLOID
-    // Homogeneous, so that what is far in the other half, infinitely far out, is clipped.
+    // Homogeneous, so that a point far in the other half, infinitely far out, is clipped.
     float distance = max(length(v_mapPosition), 1e-30);
     vec3 towards = v_mapPosition / distance;
     float w = 1.0 + u_halfSide * towards.y;

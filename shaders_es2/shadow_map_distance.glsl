@@ -1,5 +1,5 @@
-// A distance in [0, 1) as four bytes, a 32-bit fixed-point number: what colour buffers of WebGL 1
-// can hold. Every step is exact in highp floats.
+// A distance in [0, 1) as four bytes, a 32-bit fixed-point number: colour buffers of WebGL 1 can
+// hold that. Every step is exact in highp floats.
 
 vec4 packDistance(float distance) {
     vec4 bytes;

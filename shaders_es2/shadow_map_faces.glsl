@@ -1,14 +1,14 @@
-// Where a shadow map's texels are. A place is in map space (see ShadowMapView). MAP_FACES: the map is
-// so many flat textures, the six faces of a cube, with MAP_PARABOLOID two halves of all directions, or
-// with MAP_DIRECTIONAL one (MAP_WARPED, see warp.glsl) or, MAP_CASCADES, several parallel projections;
-// else it is a cube map.
+// Layout of a shadow map's texels. A place is in map space (see ShadowMapView). MAP_FACES: the map
+// is this many flat textures: the six faces of a cube; with MAP_PARABOLOID two halves of all
+// directions; with MAP_DIRECTIONAL one (MAP_WARPED, see warp.glsl) or, with MAP_CASCADES, several
+// parallel projections. Without it the map is a cube map.
 #ifdef MAP_FACES
 uniform mediump sampler2D u_face0; // lowp, the default, might lose the last bit of a byte
 #if MAP_FACES > 1
 uniform mediump sampler2D u_face1;
 #endif
 #if MAP_FACES > 2
-uniform mediump sampler2D u_face2; // of a cube +x, -x, +y, -y, +z, -z
+uniform mediump sampler2D u_face2; // for a cube +x, -x, +y, -y, +z, -z
 #endif
 #if MAP_FACES > 3
 uniform mediump sampler2D u_face3;
@@ -20,9 +20,9 @@ uniform mediump sampler2D u_face5;
 #else
 uniform mediump samplerCube u_map;
 #endif
-uniform float u_mapStep; // from texel to texel in the map; of a point light's at distance 1
+uniform float u_mapStep; // from texel to texel in the map; for a point light at distance 1
 #if defined(MAP_FACES) && !defined(MAP_DIRECTIONAL)
-uniform float u_mapShare; // what a face takes of its texture's width; the rest is a margin
+uniform float u_mapShare; // share of its texture's width that a face takes; the rest is a margin
 #endif
 
 #ifdef MAP_DIRECTIONAL
@@ -59,7 +59,7 @@ vec4 faceTexel(float face, vec2 at) {
     return texture2D(u_face0, at);
 }
 
-// Coordinates in a face's texture, and which.
+// Coordinates in a face's texture, and the face's number.
 vec3 faceAt(vec3 at) {
 #if defined(MAP_CASCADES)
     return vec3(at.xy * mapCascade.xy + mapCascade.zw, mapFace);
@@ -71,7 +71,7 @@ vec3 faceAt(vec3 at) {
     vec2 onDisc = at.xz / (length(at) + abs(at.y));
     return vec3(onDisc * (0.5 * u_mapShare) + 0.5, at.y < 0.0 ? 1.0 : 0.0);
 #else
-    // As a cube map is looked up (GLES 2.0, table 3.21).
+    // The selection that a cube map lookup makes (GLES 2.0, table 3.21).
     vec3 a = abs(at);
     float share = 0.5 * u_mapShare;
     if (a.x >= a.y && a.x >= a.z)
@@ -100,8 +100,9 @@ float distanceOf(vec3 at) {
 #endif
 }
 
-// How wide texels are there, by those at 1 in the direction in which a point light's map has its
-// finest (a paraboloid's: twice as wide as these where directions meet the other half).
+// Width of the texels there, relative to those at 1 in the direction in which a point light's map
+// is finest. A paraboloid's texels are twice as wide as its finest where its directions meet the
+// other half.
 float texelScale(vec3 at) {
 #if defined(MAP_CASCADES)
     return 1.0 / min(mapCascade.x, mapCascade.y);
@@ -129,14 +130,14 @@ void texelAxes(vec3 at, out vec3 axisS, out vec3 axisT) {
     axisS = vec3(u_mapStep, 0.0, 0.0);
     axisT = vec3(0.0, u_mapStep, 0.0);
 #elif defined(MAP_PARABOLOID)
-    // It keeps angles: any two axes across the direction will do.
+    // A paraboloid keeps angles: any two axes across the direction will do.
     vec3 along = normalize(at);
     axisS = normalize(cross(along, abs(along.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0)));
     axisT = cross(along, axisS) * (u_mapStep * texelScale(at));
     axisS *= u_mapStep * texelScale(at);
 #else
     // The two axes of the cube's face, so that taps are whole texels apart. Past the face's edge
-    // the direction simply goes on into the next face: distances are from the light itself, so they
+    // the direction simply continues in the next face: distances are from the light itself, so they
     // compare across edges.
     vec3 a = abs(at);
     float major = largestAxis(at);

@@ -1,6 +1,6 @@
-// How much of a light reaches a fragment by its shadow map (shadow_map_faces.glsl says of which kinds):
-// PCF x PCF texels around it compared with its own distance; POISSON, taps in a disc that wide; VSM,
-// ESM and MSM, what a map says that was filtered; PCSS, what pcss.glsl makes of it.
+// How much of a light reaches a fragment, by its shadow map (shadow_map_faces.glsl lists the
+// kinds). Compares PCF x PCF texels around the fragment with its own distance. POISSON: taps in a
+// disc that wide; VSM, ESM and MSM: the value of a filtered map; PCSS: the result of pcss.glsl.
 #include "shadow_map_distance.glsl"
 uniform float u_mapTexel; // u_mapStep as a length in the world
 #include "shadow_map_faces.glsl"
@@ -10,15 +10,15 @@ uniform float u_mapBias;  // in texels
 
 varying vec3 v_mapPosition;
 
-// What a surface that faces the light gets of the bias: interpolated normals are not those of the
-// triangles that are in the map.
+// Least bias, for a surface that faces the light: interpolated normals differ from those of the
+// triangles in the map.
 const float leastSlope = 0.25;
-// Up to this slope receivers move towards the light, which leaves outlines where they are. Steeper
-// ones move along their normal for the rest, which stays bounded.
+// Up to this slope receivers move towards the light, which keeps outlines in place. Steeper ones
+// move along their normal for the rest, which stays bounded.
 const float steepSlope = 4.0;
 
-// Where the fragment is looked up, for a filter of `width` by `width` texels. `normal` and `light`
-// have unit length and lie on the same side of the surface.
+// The place where the fragment is looked up, for a filter of `width` by `width` texels. `normal`
+// and `light` have unit length and lie on the same side of the surface.
 vec3 biasedReceiver(vec3 normal, vec3 light, float width) {
 #ifdef MAP_WARPED
     useWarp(v_mapPosition.xy);
@@ -26,7 +26,7 @@ vec3 biasedReceiver(vec3 normal, vec3 light, float width) {
     float texel = u_mapTexel * texelScale(v_mapPosition);
     // Within a texel the distance of a plane changes by the tangent of its angle to the light times
     // the texel, and a kernel reaches several. Moved along the normal by the sine, a receiver gains
-    // just that tangent along the light.
+    // exactly that tangent along the light.
     float cosine = dot(normal, light);
     float sine = sqrt(max(1.0 - cosine * cosine, 0.0));
     float slope = min(sine / max(cosine, 0.001), steepSlope);
@@ -60,7 +60,8 @@ float lightByFace(vec3 normal, vec3 light) {
     return poissonLit(receiverAt(at, normal), axisS, axisT);
 #else
     vec3 at = biasedReceiver(normal, light, float(PCF));
-    float own = min(distanceOf(at), 1.0); // what no caster reaches, the ground for one, is as far as empty texels
+    float own = min(distanceOf(at), 1.0); // a receiver that no caster reaches, such as the ground,
+                                          // is as far as empty texels
 #ifdef FILTERED
     return filteredLight(at, own);
 #else

@@ -1,4 +1,4 @@
-// What the display shows of light that was added up.
+// Maps accumulated light to the display's colours.
 precision highp float;
 
 uniform highp sampler2D u_light;

@@ -1,5 +1,5 @@
-// Sides write the stencil alone; the colour is there for the probe, and for TINT,
-// what debug views colour them with: a vec4, or u_tint with UNIFORM_TINT.
+// Sides write only the stencil. The colour is for the probe and for TINT, the colours of debug
+// views: a vec4, or u_tint with UNIFORM_TINT.
 precision mediump float;
 #ifdef UNIFORM_TINT
 uniform vec4 u_tint;

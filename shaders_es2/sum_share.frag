@@ -1,6 +1,6 @@
-// The share that a sum of 16 bits (see add_bytes.frag) is of the largest it could be: its first
-// channel's, in red, and 255ths of a 255th in green, and in blue whether alpha's isn't 0; or, PICTURE,
-// each channel's, as a colour.
+// A 16-bit sum (add_bytes.frag) as a share of the largest possible sum. Red holds the first
+// channel's share, green its 255ths of a 255th, and blue 1 if alpha's sum isn't 0; or, with
+// PICTURE, each channel's share as a colour.
 #ifdef GL_FRAGMENT_PRECISION_HIGH
 precision highp float;
 #else
@@ -10,7 +10,7 @@ precision mediump float;
 uniform mediump sampler2D u_low;
 uniform mediump sampler2D u_high;
 uniform vec2 u_texel; // 1 / pixels
-uniform float u_scale; // of a byte's share, 255 / the largest sum
+uniform float u_scale; // makes a byte a share of the largest sum: 255 / that sum
 
 void main() {
     vec2 place = gl_FragCoord.xy * u_texel;

@@ -1,14 +1,16 @@
 // Base colour times ambient light or, with LIT, times the Lambert term of one light as far as it
 // reaches, in the display's own (sRGB) values; the lit pass adds one light at a time. WITH_AMBIENT,
-// of LIT, both at once, and the ambient share of their sum in alpha. Other variants: PLAIN, the
-// same with light itself added up, of which the display shows a power; SOFT_TERMINATOR, see
-// terminator.glsl; MASK, the lit mask instead of colours; TEXTURED; COLORED, with colours at
-// vertices; CATCHER, with COLORED, a ground that shows the background and, the more the larger its
-// vertices' alpha is, what of it is in shadow; ALPHA_TEST, materials with cutouts, ALPHA_LOOKUP, of
-// a host's texture, which may have alpha in another channel; BLENDED,
-// see-through ones; LINEAR, the light that is mapped to such colours later; SLICED, nothing deeper
-// than u_farthest; LIGHT_LIST, in place of one light all of a tile's list, see light_table.glsl. Of
-// LIT those of light.glsl, and PRIMITIVE_MAP_TINT, showing what a primitive map's texels hold.
+// with LIT: both at once, and alpha holds the ambient share of their sum.
+//
+// Other variants: PLAIN, the same but adding up light itself, of which the display shows a power;
+// SOFT_TERMINATOR, see terminator.glsl; MASK, the lit mask instead of colours; TEXTURED; COLORED,
+// with colours at vertices; CATCHER, with COLORED, a ground that shows the background and the
+// shadow on it, which is the stronger the larger its vertices' alpha; ALPHA_TEST, materials with
+// cutouts; ALPHA_LOOKUP, alpha from a host's texture, which may hold it in another channel;
+// BLENDED, see-through surfaces; LINEAR, the light that is later mapped to such colours; SLICED,
+// discards whatever is deeper than u_farthest; LIGHT_LIST, all lights of a tile's list in place of
+// one light, see light_table.glsl. With LIT those of light.glsl, and PRIMITIVE_MAP_TINT, which
+// shows the contents of a primitive map's texels.
 #ifdef DERIVATIVES
 #extension GL_OES_standard_derivatives : enable
 #endif
@@ -27,7 +29,7 @@ uniform sampler2D u_texture;
 varying vec2 v_texcoord;
 #endif
 #ifdef ALPHA_LOOKUP
-uniform vec4 u_alphaChannel; // 1 in the one that has alpha
+uniform vec4 u_alphaChannel; // 1 in the channel that holds alpha
 #endif
 #ifdef ALPHA_TEST
 uniform float u_alphaCutoff;
@@ -56,11 +58,11 @@ uniform float u_diffuse;
 uniform float u_ambient;
 #endif
 #ifdef PLAIN
-uniform float u_ambientSlope; // by how much it is more from above than from the side
+uniform float u_ambientSlope; // how much more ambient light comes from above than from the side
 uniform float u_exposure;
 
-// What the display shows of a share of light, of colours that it shows as they are in full light.
-// A power alone, so that shadow leaves all of a colour's channels the same share.
+// The display value of a share of light, relative to a colour shown unchanged in full light. A pure
+// power, so that shadow dims all of a colour's channels by the same share.
 float displayed(float share) { return pow(max(share, 0.0) * u_exposure, 1.0 / 2.2); }
 #endif
 #ifdef LINEAR
@@ -73,8 +75,8 @@ varying float v_depth;
 #endif
 
 #ifdef PRIMITIVE_MAP_TINT
-// Blue where a texel's depth alone says dark, from green to red the more triangles are before the
-// point to be asked, none where none is.
+// Blue where a texel's depth alone makes it dark; from green to red the more triangles the texel
+// lists for the point; no tint where it lists none.
 vec4 primitiveTint() {
     if (!findPrimitiveTexel(v_mapPosition)) return vec4(0.0);
     if (primitiveDepth > primitiveHeader.x) return vec4(0.1, 0.2, 0.9, 0.6);
@@ -84,13 +86,13 @@ vec4 primitiveTint() {
 #endif
 
 #ifdef LIT
-// The light's share of a colour; nothing in the mask where it doesn't reach, which knows half shadow
-// only of lights with an extent.
+// The light's share of a colour. In the mask, 0 where the light doesn't reach; the mask has half
+// shadow only for lights with an extent.
 float shareOfLight(float lit, vec3 normal) {
     vec3 light = towardsLight();
     float lambert = max(dot(normal, light), 0.0);
 #ifdef CATCHER
-    lambert = lambert > 0.0 ? 1.0 : 0.0; // it is as bright as the background wherever it is lit
+    lambert = lambert > 0.0 ? 1.0 : 0.0; // a lit ground is as bright as the background
 #endif
 #ifdef SOFT_TERMINATOR
     lambert *= lightAtTerminator(normal, light);
@@ -110,7 +112,7 @@ float shareOfLight(float lit, vec3 normal) {
 #endif
 
 #ifdef LIGHT_LIST
-// That of all lights that the fragment's tile lists.
+// Share of all lights that the fragment's tile lists.
 float shareOfLights(vec3 normal) {
     highp vec2 list = lightListHere();
     float share = 0.0;
@@ -131,7 +133,7 @@ float shareOfLights(vec3 normal) {
 void main() {
     float lit = 1.0;
 #ifdef COARSE_MASK
-    lit = litByCoarseMask(u_casts > 0.5); // first: derivatives need their neighbours
+    lit = litByCoarseMask(u_casts > 0.5); // first: derivatives need the neighbouring fragments
 #endif
 #ifdef PRIMITIVE_MAP
     findMapPoint();

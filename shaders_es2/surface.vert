@@ -1,9 +1,9 @@
-// Visible surfaces, in every pass: the depth test EQUAL of the lit pass needs the same positions,
+// Visible surfaces, in every pass. The depth test EQUAL of the lit pass needs the same positions,
 // so gl_Position is invariant and depends on nothing that a variant changes. Variants LIT,
 // DIRECTIONAL, PLAIN, TEXTURED, COLORED, SPOT, MAP, PRIMITIVE_MAP, SIDED and SLICED: see
 // surface.frag and light.glsl; MATERIAL, TEXCOORDS, TEXCOORDS_1, TEXCOORDS_2 and TANGENTS: see
-// material.frag; ALPHA_LOOKUP: see surface.frag; SOFT_TERMINATOR: see terminator.glsl; LIGHT_LIST: see
-// light_table.glsl; PLANE: see coarse_plane.glsl.
+// material.frag; ALPHA_LOOKUP: see surface.frag; SOFT_TERMINATOR: see terminator.glsl; LIGHT_LIST:
+// see light_table.glsl; PLANE: see coarse_plane.glsl.
 #include "extrusion.glsl"
 
 attribute vec3 a_position;
@@ -47,7 +47,7 @@ uniform mat3 u_normalFromObject;
 uniform mat4 u_eyeOffsetFromObject; // to world axes, origin at the eye
 #endif
 #if defined(LIT) && !defined(DIRECTIONAL)
-uniform vec3 u_light; // the same space
+uniform vec3 u_light; // in the same space
 #endif
 #ifdef SPOT
 uniform mat4 u_coneFromObject;      // see coneFromWorld()
@@ -56,8 +56,8 @@ uniform mat4 u_coneFromObject;      // see coneFromWorld()
 uniform mat4 u_mapFromObject;       // see ShadowMapView, LightTiles
 #endif
 #ifdef PRIMITIVE_MAP
-uniform vec3 u_mapOrigin;     // what it maps to 0: of a point light where that is
-uniform vec3 u_mapOriginRest; // what rounding took of that
+uniform vec3 u_mapOrigin;     // the point that the map puts at 0: a point light's position
+uniform vec3 u_mapOriginRest; // the part of it that rounding lost
 #endif
 
 invariant gl_Position;
@@ -96,7 +96,7 @@ varying float v_depth; // along the viewing direction
 varying vec3 v_mapPosition;
 #endif
 #if defined(PRIMITIVE_MAP) && !defined(PRIMITIVE_MAP_DIRECTIONAL)
-varying float v_mapReach; // how far from the light its vertices are: what they are rounded by
+varying float v_mapReach; // distance of its vertices from the light, which scales their rounding
 #endif
 #ifdef SIDED
 varying float v_lightSide;
@@ -141,7 +141,7 @@ void main() {
     v_cone = clipPosition(u_coneFromObject, vec4(a_position, 1.0)).xyz;
 #endif
 #ifdef PRIMITIVE_MAP
-    // Near the origin nothing cancels.
+    // Near the origin no digits cancel.
     vec3 fromOrigin = (a_position - u_mapOrigin) - u_mapOriginRest;
     v_mapPosition = clipPosition(u_mapFromObject, vec4(fromOrigin, 0.0)).xyz;
 #ifndef PRIMITIVE_MAP_DIRECTIONAL

@@ -7,7 +7,7 @@ precision mediump float;
 
 #ifdef ALPHA_TEST
 uniform sampler2D u_texture;
-uniform vec4 u_alphaChannel; // 1 in the one that has alpha
+uniform vec4 u_alphaChannel; // 1 in the channel that holds alpha
 uniform float u_alphaScale;
 uniform float u_alphaCutoff;
 varying vec2 v_texcoord;

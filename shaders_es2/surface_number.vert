@@ -1,5 +1,5 @@
-// Surfaces in the colours of their triangles' numbers, placed as surface.vert places them. Variants:
-// ALPHA_TEST, materials with cutouts; SLICED, nothing deeper than u_farthest.
+// Surfaces coloured by their triangles' numbers, at the positions of surface.vert. Variants:
+// ALPHA_TEST, materials with cutouts; SLICED, discards whatever is deeper than u_farthest.
 #include "extrusion.glsl"
 
 attribute vec3 a_position;
@@ -10,7 +10,7 @@ attribute float a_alpha; // the vertex colour's
 #endif
 
 uniform mat4 u_clipFromObject;
-uniform float u_firstNumber; // of the mesh: numbers in the picture are below 2^24
+uniform float u_firstNumber; // of the mesh: numbers in the picture stay below 2^24
 #ifdef ALPHA_TEST
 uniform mat3 u_texcoordTransform;
 varying vec2 v_texcoord;

@@ -1,9 +1,9 @@
-// Coarse meshes with smooth normals show the facets of their own shadow where light grazes them:
-// the facet is dark while its normals still say lit. This dims the light before that, so that it
+// Coarse meshes with smooth normals show the facets of their own shadow where light grazes them: a
+// facet is dark while its normals still say lit. This dims the light before that, so that it
 // reaches 0 where the facet turns away (Chiang, Li, Burley, Taming the shadow terminator, 2019).
-// Takes eye.glsl before it.
+// Include eye.glsl first.
 
-// What is left of the light, 0..1; `normal` points towards the eye.
+// The share of the light that is left, 0..1; `normal` points towards the eye.
 float lightAtTerminator(vec3 normal, vec3 light) {
     vec3 facet = cross(dFdx(v_fromEye), dFdy(v_fromEye));
     float size = dot(facet, facet);

@@ -1,5 +1,6 @@
-// The light that the display shows as this colour, of sRGB: what is drawn as it is among what is
-// mapped later (see tone_mapping.glsl). Bright colours keep their hue, not all of their depth.
+// The light that the display shows as this sRGB colour, for surfaces whose colour must survive the
+// later mapping (tone_mapping.glsl). Bright colours keep their hue, but not all of their
+// saturation.
 vec3 lightShownAs(vec3 color) {
     vec3 light = linearFromSrgb(color);
     float most = max(light.r, max(light.g, light.b));

@@ -1,6 +1,6 @@
-// Linear light to what the display shows and back: Khronos PBR Neutral, then the sRGB curve
-// (IEC 61966-2-1). Neutral shows colours below `shown` as they are but for 0.04, which a dielectric
-// reflects of everything around it; what is brighter nears 1 and loses its colour.
+// Maps linear light to display colours and back: Khronos PBR Neutral, then the sRGB curve (IEC
+// 61966-2-1). Neutral keeps colours below `shown`, less the 0.04 of everything around that a
+// dielectric reflects; brighter ones approach 1 and lose their colour.
 const float reflected = 0.04;
 const float shown = 0.8 - reflected;
 const float whitening = 0.15;

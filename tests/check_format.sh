@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Every C++ file is as clang-format would have it. Exits 77 (skipped) without clang-format 14,
-# since other versions disagree about details.
+# Checks that clang-format would leave every C++ file unchanged. Exits 77 (skipped) without
+# clang-format 14, since other versions disagree about details.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 if ! clang-format --version 2>/dev/null | grep -q 'version 14'; then

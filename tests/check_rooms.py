@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Checks and draws which folder's sources include which other's.
+"""Checks and draws the includes between folders.
 
     tests/check_rooms.py            fails where an include points up the list of rooms, where headers
                                     include each other in a circle, or where a room sees GL, JSON or
-                                    tinygltf that must not
-    tests/check_rooms.py --draw     draws docs/figures/rooms.svg anew
+                                    tinygltf although it must not
+    tests/check_rooms.py --draw     redraws docs/figures/rooms.svg
 """
 
 import pathlib
@@ -14,7 +14,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 DRAWING = ROOT / "docs/figures/rooms.svg"
 
-# From the ground up: a room may include what stands before it.
+# In order: a room may include those before it.
 ROOMS = (
     "preprocess/base", "src/sun", "preprocess/scene", "preprocess/mesh", "preprocess/volumes/published",
     "preprocess/volumes",
@@ -26,16 +26,16 @@ ROOMS = (
     "src/engine", "src/rivals/published", "src/rivals/brute_force", "src/rivals/planar", "src/rivals/maps", "src/rivals", "src/lab", "src/bench", "src/plot",
     "src/viewer", "src/desktop", "src/cli", "web")
 
-# Libraries' headers, by the start of the name that is included, and the rooms that may see them.
+# Libraries' headers, by the start of their names, and the rooms that may include them.
 GL = ("GLES2/", "EGL/", "GLFW/", "emscripten")
 JSON = ("nlohmann/", "tiny_gltf.h")
 PURE = ROOMS[:ROOMS.index("preprocess/gltf")]                      # neither GL nor JSON
 NO_GL = ROOMS[:ROOMS.index("src/environment")]
-# Nor do these see JSON: what draws and what judges know nothing of files.
+# Nor do these see JSON: drawing and judging never read files.
 NO_FILES = PURE + ("src/gl",) + tuple(
     room for room in ROOMS if room.startswith(("src/render/", "src/rivals", "src/lab", "src/bench", "src/plot")))
 
-# tinygltf is seen by the sources of two rooms alone, by one header, and includes stay small.
+# Only the sources of two rooms include tinygltf, and of headers only one.
 TINYGLTF = "tiny_gltf.h"
 SEES_TINYGLTF = ("preprocess/gltf", "preprocess/reading")
 TINYGLTF_HEADER = "preprocess/gltf/tinygltf_model.hpp"
@@ -65,7 +65,7 @@ def read(paths):
 
 
 def reach(path, includes, seen=None):
-    """All headers of ours that a file sees, itself included."""
+    """All of the project's headers that a file includes, itself included."""
     seen = set() if seen is None else seen
     if path in seen:
         return seen
@@ -76,7 +76,7 @@ def reach(path, includes, seen=None):
 
 
 def circles(includes):
-    """Headers that include each other, and modules (header and source) that do."""
+    """Finds headers, and modules (header and source), that include each other."""
     module = {path: path.rsplit(".", 1)[0] for path in includes}
     after = {}
     for path, (own, _) in includes.items():

@@ -1,1 +1,1 @@
-// Nothing: the target is there for the headers that it compiles.
+// Deliberately empty: the target exists for its precompiled headers.

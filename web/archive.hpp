@@ -13,12 +13,12 @@
 
 namespace edgeshade::web {
 
-/// What passes between two instances of this same program, as bytes: plain values as they are in
-/// memory. For a class that is more a function says which fields there are, for both ways:
+/// Data passed as bytes between two instances of this same program: plain values in their memory
+/// layout. Any other class has one function that lists its fields for both directions:
 ///
 ///     template <class Archive> void transfer(Archive& archive, Maybe<Class> auto& value)
 
-/// T or const T, so that one list of fields does for writing and for reading.
+/// T or const T, so that one list of fields serves both writing and reading.
 template <class A, class T>
 concept Maybe = std::same_as<std::remove_const_t<A>, T>;
 
@@ -72,7 +72,7 @@ class Writer {
     Bytes& bytes_;
 };
 
-/// Takes them out again.
+/// Reads them back.
 class Reader {
   public:
     explicit Reader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}

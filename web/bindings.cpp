@@ -1,5 +1,5 @@
-// What JavaScript sees of the program. Messages are sentences, "" where all went well; state and
-// figures are JSON.
+// The program's interface to JavaScript. Messages are sentences, "" for success; state and figures
+// are JSON.
 
 #include "src/gl/capabilities.hpp"
 #include "src/viewer/viewer.hpp"
@@ -12,7 +12,7 @@
 #include "web/sentence.hpp"
 
 #include <emscripten/bind.h>
-#define GL_GLEXT_PROTOTYPES // their declarations
+#define GL_GLEXT_PROTOTYPES // declares the entry points
 #include <GLES2/gl2.h>
 #include <GLES2/gl2ext.h>
 #include <memory>
@@ -21,7 +21,7 @@
 namespace edgeshade::web {
 namespace {
 
-/// The two entry points beyond WebGL 1 that are ever asked for.
+/// The only two entry points beyond WebGL 1 that the program queries.
 void* entryPoint(const char* name) {
     const std::string_view wanted = name;
     if (wanted == "glVertexAttribDivisorANGLE")
@@ -31,7 +31,7 @@ void* entryPoint(const char* name) {
     return nullptr;
 }
 
-/// Of the current context.
+/// Capabilities of the current context.
 gl::Capabilities usableCapabilities() {
     gl::Capabilities capabilities = gl::queryCapabilities(entryPoint);
     if (capabilities.stencilBits < 8)
@@ -41,7 +41,7 @@ gl::Capabilities usableCapabilities() {
     return capabilities;
 }
 
-/// The viewer of one element, on the context that is current whenever it is called.
+/// The viewer of one element; it uses the context that is current at each call.
 class PageViewer {
   public:
     /// `maps`: see PageMapWorker.
@@ -53,7 +53,7 @@ class PageViewer {
         });
     }
 
-    /// Takes over a scene from the worker: `size` bytes that malloc() gave, which it frees.
+    /// Takes over a scene from the worker: `size` bytes from malloc(), which it frees.
     std::string show(std::uintptr_t address, std::size_t size) {
         return sentenceOfFailure([&] {
             std::optional<PageBytes> bytes(std::in_place, address, size);
@@ -63,14 +63,14 @@ class PageViewer {
         });
     }
 
-    /// Takes over a primitive map from the worker, likewise.
+    /// Takes over a primitive map from the worker, in the same way.
     std::string takeMap(std::uintptr_t address, std::size_t size) {
         return sentenceOfFailure([&] {
             const PageBytes bytes(address, size);
             maps_->done(bytes.view());
         });
     }
-    /// No worker will ever answer.
+    /// Called when no worker will ever answer.
     void buildMapsHere() { maps_->fail(); }
 
     bool hasScene() const { return viewer_->hasScene(); }
@@ -88,7 +88,7 @@ class PageViewer {
         return sentenceOfFailure([&] { viewer_->run(commandOf(command)); });
     }
 
-    /// `button`: as in a PointerEvent; -1 where none changed.
+    /// `button`: as in a PointerEvent; -1 if none changed.
     void pointer(int phase, int id, double x, double y, int button, bool shift, bool control) {
         using viewer::PointerButton;
         viewer::Pointer pointer{id, x, y, PointerButton::primary, shift, control};
@@ -105,13 +105,13 @@ class PageViewer {
     std::string smoothing() const { return viewer::toJson(viewer_->smoothing()).dump(); }
     double sceneSize() const { return viewer_->sceneSize(); }
     std::string sun() const { return viewer_->sun().dump(); }
-    /// Sun positions counted for hours of sun; -1: nobody asks for them.
+    /// Number of sun positions counted for hours of sunlight; -1: the state doesn't show them.
     double sunHoursCounted() const {
         const auto hours = viewer_->sunHours();
         return hours ? static_cast<double>(hours->counted) : -1.0;
     }
     double sunHoursOf() const { return static_cast<double>(viewer_->sunHours()->of); }
-    /// -1: none to be seen there.
+    /// -1: no hours are shown there.
     double sunHoursAt(double x, double y) const {
         const auto lit = viewer_->sunHoursAt(x, y);
         return lit ? static_cast<double>(*lit) : -1.0;
@@ -120,7 +120,7 @@ class PageViewer {
     bool wantsFrame() const { return viewer_->wantsFrame(); }
     void invalidate() { viewer_->invalidate(); }
 
-    /// Draws if there is something new. The sentence of a failure is lastProblem().
+    /// Draws if anything has changed. lastProblem() then holds the sentence of a failure.
     bool frame(double now) {
         bool drew = false;
         problem_ = sentenceOfFailure([&] { drew = viewer_->frame(now); });

@@ -6,7 +6,7 @@
 
 namespace edgeshade::web {
 
-/// The command of that name, "orbitLeft" and so on. Throws Error(usage) for other names.
+/// The command with this name, "orbitLeft" and so on. Throws Error(usage) for other names.
 viewer::Command commandOf(std::string_view name);
 
 } // namespace edgeshade::web

@@ -11,7 +11,7 @@ std::string MapMaker::show(std::uintptr_t address, std::size_t size) {
     return sentenceOfFailure([&] {
         const PageBytes bytes(address, size);
         loaded_ = fromTransfer(bytes.view());
-        loaded_.images.clear(); // nobody draws here
+        loaded_.images.clear(); // the worker doesn't draw
         loaded_.document.reset();
     });
 }

@@ -9,22 +9,22 @@
 
 namespace edgeshade::web {
 
-/// The worker's half of building primitive maps of one scene:
+/// The worker's side of building primitive maps of one scene:
 ///
 ///     show(scene)
-///     for each task: begin(task), while not advance(ms) look for messages, result()
+///     for each task: begin(task), while not advance(ms) check for messages, result()
 ///
-/// Bytes are given as `size` of them that malloc() gave, which are freed. Failures are returned as
-/// sentences, "" where all went well.
+/// Bytes are passed as an address and a `size` from malloc(), and are freed. Failures are returned
+/// as sentences, "" for success.
 class MapMaker {
   public:
-    /// `scene`: of toTransfer(LoadedScene).
+    /// `scene`: from toTransfer(LoadedScene).
     std::string show(std::uintptr_t address, std::size_t size);
-    /// `task`: of toTransfer(PrimitiveMapTask). What was begun before is given up.
+    /// `task`: from toTransfer(PrimitiveMapTask). Drops the previous task.
     std::string begin(std::uintptr_t address, std::size_t size);
-    /// Goes on for about so long; returns whether all is done, or has failed.
+    /// Works for about this long; returns whether it has finished, or failed.
     bool advance(double milliseconds);
-    /// Of toTransfer(BuiltPrimitiveMap); none where it failed.
+    /// From toTransfer(BuiltPrimitiveMap); empty if it failed.
     emscripten::val result();
 
   private:

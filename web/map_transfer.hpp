@@ -7,8 +7,8 @@
 
 namespace edgeshade::web {
 
-/// What a page asks of the worker that builds primitive maps, and what it gets, as bytes for
-/// another instance of this same program: see scene_transfer.hpp.
+/// A task for the worker that builds primitive maps, and its result, as bytes for another instance
+/// of this same program: see scene_transfer.hpp.
 Bytes toTransfer(const PrimitiveMapTask& task);
 PrimitiveMapTask taskFromTransfer(std::span<const std::uint8_t> bytes);
 

@@ -9,7 +9,7 @@
 
 namespace edgeshade::web {
 
-/// Bytes that JavaScript put into memory that malloc() gave; frees it.
+/// Bytes that JavaScript has put into memory from malloc(); frees it.
 class PageBytes {
   public:
     PageBytes(std::uintptr_t address, std::size_t size)
@@ -22,7 +22,7 @@ class PageBytes {
     std::size_t size_;
 };
 
-/// For JavaScript to copy before anything else is called.
+/// JavaScript must copy it before it calls anything else.
 inline emscripten::val viewOf(const Bytes& bytes) {
     return emscripten::val(emscripten::typed_memory_view(bytes.size(), bytes.data()));
 }

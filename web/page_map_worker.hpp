@@ -6,8 +6,8 @@
 
 namespace edgeshade::web {
 
-/// The page's half of building primitive maps in a web worker. `maps`, an object of JavaScript's,
-/// has ask(bytes), which copies a task's bytes, and giveUp().
+/// The page's side of building primitive maps in a web worker. `maps`, a JavaScript object, has
+/// ask(bytes), which copies a task's bytes, and giveUp().
 class PageMapWorker : public PrimitiveMapWorker {
   public:
     explicit PageMapWorker(emscripten::val maps) : maps_(std::move(maps)) {}
@@ -17,7 +17,7 @@ class PageMapWorker : public PrimitiveMapWorker {
     void giveUp() override;
     std::optional<BuiltPrimitiveMap> take() override;
 
-    /// What came of the task that was asked last.
+    /// Delivers the result of the latest task.
     void done(std::span<const std::uint8_t> bytes);
     void fail() { works_ = false; }
 

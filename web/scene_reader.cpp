@@ -57,7 +57,7 @@ emscripten::val SceneReader::webpOf(int image) {
             webp_ = std::move(bytes);
         }
     } catch (const InputError&) {
-        // decideImage() says what is wrong.
+        // decideImage() reports what is wrong.
     }
     return viewOf(webp_);
 }
@@ -81,7 +81,8 @@ std::string SceneReader::decideImage(int image, const std::string& problem) {
             if (!problem.empty()) throw InputError(nameOfImage(image) + ": " + problem);
             if (!room_.rgba.empty())
                 return std::make_shared<const Image>(std::exchange(room_, Image()));
-            decodeImage(*loaded_.document, image, memory_); // as the page will, which draws it
+            decodeImage(*loaded_.document, image, memory_); // as the page will, when it draws the
+                                                            // image
             return nullptr;
         });
     });

@@ -9,37 +9,37 @@
 
 namespace edgeshade::web {
 
-/// The worker's half: reads a scene from files of the current folder of the file system in memory.
-/// Images come in between, as fetching them and decoding WebP is the browser's:
+/// The worker's side: reads a scene from files in the current folder of the file system in memory.
+/// Images are handled in between, as the browser fetches them and decodes WebP:
 ///
 ///     read(name, variant, onStage)
 ///     while wantedImages() has some: for each of them
-///         webpOf(image), where that has bytes roomFor(...) and the pixels into room()
+///         if webpOf(image) has bytes, roomFor(...), then the pixels into room()
 ///         decideImage(image, "")
 ///     finish(onStage)
 ///
-/// Failures are returned as sentences, "" where all went well. `onStage` gets a stage's name.
+/// Failures are returned as sentences, "" for success. `onStage` gets a stage's name.
 class SceneReader {
   public:
-    /// All but images and shadow data. `variant`: see flattenScene(); "" for the file's own
-    /// materials.
+    /// Reads everything except images and shadow data. `variant`: see flattenScene(); "" for the
+    /// file's own materials.
     std::string read(const std::string& name, const std::string& variant, emscripten::val onStage);
 
-    /// JSON, [{image, uri}]: images to decide on next. The uri is "" where no file is named.
+    /// JSON, [{image, uri}]: the next images to decide on. The uri is "" if no file is named.
     std::string wantedImages() const;
 
-    /// The image's bytes where they are WebP and no animation; else there are none.
+    /// The image's bytes if they are WebP without animation; else empty.
     emscripten::val webpOf(int image);
 
     /// Makes room for an image's pixels, RGBA, rows top to bottom.
     std::string roomFor(int image, int width, int height);
     emscripten::val room();
 
-    /// Decides on an image: that the pixels in the room are its own, or, without a room, by
-    /// decoding it. `problem`, a sentence unless "", says why it can't be had.
+    /// Decides on an image: the pixels in the room are its own or, without a room, it is decoded.
+    /// `problem`, a sentence unless "", says why it can't be had.
     std::string decideImage(int image, const std::string& problem);
 
-    /// Shadow data, and what the page takes over.
+    /// Builds the shadow data, and the bytes for the page.
     std::string finish(emscripten::val onStage);
 
     emscripten::val bytes() const; ///< see toTransfer()

@@ -34,7 +34,7 @@ void transfer(Archive& archive, Maybe<Deformation> auto& deformation) {
     archive(deformation.meshes, deformation.joints, deformation.place, deformation.parts);
 }
 
-/// All but its geometry.
+/// Everything except its geometry.
 template <class Archive>
 void transfer(Archive& archive, Maybe<Batch> auto& batch) {
     archive(batch.node, batch.worldFromBatch, batch.nodeFromBatch, batch.hidden, batch.deformation,
@@ -55,7 +55,7 @@ void transfer(Archive& archive, Maybe<SceneLight> auto& light) {
 
 namespace {
 
-/// A GLB that has nothing but the images which materials use, at their indices, less those whose
+/// A GLB that contains only the images that materials use, at their indices, except those whose
 /// pixels are at hand.
 Bytes imagesAlone(const LoadedScene& loaded) {
     Json json = {{"asset", {{"version", "2.0"}}}};
@@ -81,7 +81,7 @@ Bytes imagesAlone(const LoadedScene& loaded) {
 Bytes documentFor(const LoadedScene& loaded) {
     const Json& json = loaded.document->json;
     if (!json.contains("animations") || json["animations"].empty()) return imagesAlone(loaded);
-    Warnings ofImages; // those that are drawn are known to be sound
+    Warnings ofImages; // the images that are drawn have been checked already
     return packedGlb(*loaded.document, loaded.scene, {}, Encoding::none, loaded.settings, ofImages);
 }
 

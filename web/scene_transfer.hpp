@@ -8,13 +8,13 @@
 namespace edgeshade::web {
 
 /// A loaded scene as bytes that another instance of this same program takes over with little more
-/// than copying: a worker reads a file and finds its shadow data, the page draws. No file format;
-/// never for bytes from elsewhere. Of the document only what drawing needs goes along: the images
-/// in use, or everything where something is animated. Of `images` the page gets the pixels, for
-/// formats that it has no decoder for. Throws InputError.
+/// than copying: a worker reads a file and finds its shadow data, the page draws. This is no file
+/// format; never use it for bytes from elsewhere. Only the parts of the document that drawing needs
+/// are included: the images in use, or everything if something is animated. `images` passes pixels
+/// to the page for formats that it can't decode. Throws InputError.
 Bytes toTransfer(const LoadedScene& loaded);
 
-/// The scene again.
+/// The scene, restored.
 LoadedScene fromTransfer(std::span<const std::uint8_t> bytes);
 
 } // namespace edgeshade::web

@@ -7,8 +7,8 @@
 
 namespace edgeshade::web {
 
-/// Does something and returns "" or, where it failed, the sentence that says why: exceptions do not
-/// cross into JavaScript.
+/// Runs an action and returns "" or the sentence of its failure: exceptions do not cross into
+/// JavaScript.
 template <class Action>
 std::string sentenceOfFailure(Action action) {
     try {

@@ -1,21 +1,23 @@
-// Whether a light at rest reaches a fragment of a host's own shader, by its map (docs/engine.md). All
-// names get the host's prefix (src/engine/lookup_source.cpp). GLSL ES 1.00, and 3.00 as it stands.
+// Whether a resting light reaches a fragment of a host's own shader, by its primitive map
+// (docs/engine.md). All names get the host's prefix (src/engine/lookup_source.cpp). Valid as GLSL
+// ES 1.00 and as 3.00.
 #define PRIMITIVE_MAP_ANY_LIGHT
 #define PRIMITIVE_MAP_ONE_TABLE
 #ifndef PRIMITIVE_MAP_LONGEST
 #define PRIMITIVE_MAP_LONGEST 3072
 #endif
 #include "primitive_map_lookup.glsl"
-uniform highp mat4 u_primitiveMapFromHost; // from the space of `position`
+uniform highp mat4 u_primitiveMapFromHost; // from the host's space, which `position` is in
 
 const highp float primitiveUnit = 1.0 / 16777216.0;
 
-// `position`: of the fragment, in the host's space, `error` times as far off as rounding a float;
-// `towardsEye`: from there, of any length; `normal`: of the triangle, of any length and either side;
-// `casts`: all triangles there are in the map. Others are lit from behind, too. What points at the
-// fragment's own triangle is moved off it by what rounding may have put it behind it; towards the
-// light, or where eye and light are on different sides of it, and it may cast, away from it
-// (docs/method.md, C35 and C36).
+// `position`: the fragment's, in the host's space; `error`: its error in units of a float's
+// rounding; `towardsEye`: from there, of any length; `normal`: the triangle's, of any length and on
+// either side; `casts`: all triangles there are in the map. Others are lit from behind, too.
+//
+// The point is moved off its own triangle by as much as rounding may have put it behind: towards
+// the light or, where eye and light are on different sides of the triangle and it may cast, away
+// from it (docs/method.md, C35 and C36).
 bool primitiveLitOn(highp vec3 position, highp vec3 towardsEye, highp vec3 normal, highp float error, bool casts) {
     highp vec3 x = u_primitiveMapFromHost[0].xyz;
     highp vec3 y = u_primitiveMapFromHost[1].xyz;
@@ -37,8 +39,8 @@ bool primitiveLitOn(highp vec3 position, highp vec3 towardsEye, highp vec3 norma
     return primitiveMapLights(point, casts);
 }
 
-// How far off interpolating may put it, by how it changes from pixel to pixel: rasterisers may reckon
-// from the picture's corner.
+// Error of an interpolated position, estimated from its change between pixels: rasterisers may
+// compute it starting at the picture's corner.
 highp float primitiveLitError(highp vec3 position, highp vec3 along, highp vec3 up) {
     highp vec3 change = abs(along) * gl_FragCoord.x + abs(up) * gl_FragCoord.y;
     highp vec3 place = abs(position);
@@ -46,7 +48,8 @@ highp float primitiveLitError(highp vec3 position, highp vec3 along, highp vec3 
 }
 
 #if __VERSION__ >= 300 || defined(EDGESHADE_DERIVATIVES)
-// The same by derivatives: for where a fragment's neighbours ask, too.
+// The same, with derivatives: for uniform control flow, where the neighbouring fragments call it
+// too.
 bool primitiveLit(highp vec3 position, highp vec3 towardsEye, bool casts) {
     highp vec3 along = dFdx(position), up = dFdy(position);
     return primitiveLitOn(position, towardsEye, cross(along, up), primitiveLitError(position, along, up), casts);

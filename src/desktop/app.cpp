@@ -97,7 +97,7 @@ void App::showNextVariant() {
 
 void App::showNextCamera() {
     const std::vector<FileCamera> cameras = viewer_.cameras();
-    if (cameras.empty()) return say("The scene has no cameras in perspective");
+    if (cameras.empty()) return say("The scene has no perspective cameras");
     const std::size_t index = nextCamera_ % cameras.size();
     viewer_.change({{"camera", viewer::toJson(cameras[index].camera)}});
     nextCamera_ = index + 1;
@@ -106,7 +106,7 @@ void App::showNextCamera() {
 }
 
 void App::run() {
-    constexpr double pause = 0.01; // seconds, while something is built and nothing drawn
+    constexpr double pause = 0.01; // seconds, while something is built and nothing is drawn
     while (!glfwWindowShouldClose(window_.handle())) {
         bool drawn = false;
         if (viewer_.wantsFrame()) {
@@ -123,7 +123,7 @@ void App::run() {
 }
 
 bool App::draw() {
-    if (width_ == 0 || height_ == 0) { // an icon
+    if (width_ == 0 || height_ == 0) { // the window is minimised
         glfwWaitEvents();
         return false;
     }
@@ -164,7 +164,7 @@ void App::say(const std::string& message) {
     viewer_.invalidate();
 }
 
-/// An error in the middle of the loop becomes a line: what was on show stays.
+/// Shows an error inside the loop as a line of text; the scene on show stays.
 template <class Action>
 void App::guarded(Action action) {
     try {
@@ -247,7 +247,7 @@ viewer::Pointer App::pointer() const {
 }
 
 void App::onButton(int button, int action, int modifiers) {
-    // A mouse is one pointer: what its first button began goes on until all are up.
+    // A mouse is one pointer: the gesture of its first button lasts until all buttons are up.
     if (action == GLFW_PRESS && buttonsDown_++ > 0) return;
     if (action == GLFW_RELEASE && (buttonsDown_ == 0 || --buttonsDown_ > 0)) return;
     if (action == GLFW_PRESS) {
@@ -267,7 +267,7 @@ void App::onButton(int button, int action, int modifiers) {
 void App::onMove(double x, double y) {
     cursor_ = {x, y};
     guarded([&] { viewer_.pointerMove(pointer()); });
-    if (viewer_.showsSunHours()) viewer_.invalidate(); // the legend says what is under it
+    if (viewer_.showsSunHours()) viewer_.invalidate(); // the legend reads the cursor
 }
 
 void App::onDrop(const std::filesystem::path& path) {
@@ -284,8 +284,8 @@ void App::onDrop(const std::filesystem::path& path) {
 std::string App::figures() const {
     const viewer::FrameStats stats = viewer_.stats();
     std::ostringstream text;
-    text << std::fixed << std::setprecision(1) << stats.frameMs << " ms a frame, " << stats.planMs
-         << " of it planning\n";
+    text << std::fixed << std::setprecision(1) << stats.frameMs << " ms per frame, " << stats.planMs
+         << " of which planning\n";
     if (const auto& stages = stats.stageMs)
         text << stages->ambient << " ambient, " << stages->map << " map, " << stages->silhouette
              << " silhouette, " << stages->rasterise << " rasterising, " << stages->lit << " lit\n";

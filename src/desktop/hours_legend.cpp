@@ -24,7 +24,7 @@ std::string wordsOf(const viewer::SunHours& hours, bool shown,
     if (hours.counted < hours.of)
         return "Hours of sun: " + std::to_string(hours.counted) + " of " +
                std::to_string(hours.of) + " sun positions";
-    if (!shown) return "Hours of sun: once nothing moves";
+    if (!shown) return "Hours of sun: shown when nothing moves";
     const std::string all = durationText(step * hours.of);
     return here ? durationText(step * *here) + " of " + all : "Hours of sun, 0 h to " + all;
 }

@@ -5,9 +5,9 @@
 
 namespace edgeshade::desktop {
 
-/// How far hours of sun are counted, in words; once they are shown their colours, and `here`: of
-/// how many positions the sun sees what is under the cursor. As triangles; `x`, `bottom`: the lower
-/// left corner; `scale` as of textTriangles().
+/// Progress of the hours of sunlight in words, then their colours once they are shown, as
+/// triangles. `here`: number of sun positions that light the surface under the cursor; `x`,
+/// `bottom`: the lower left corner; `scale` as in textTriangles().
 viewer::OverlayTriangles hoursLegend(const viewer::SunHours& hours, bool shown,
                                      const std::optional<std::uint32_t>& here, float x,
                                      float bottom, float scale);

@@ -6,13 +6,13 @@
 
 namespace edgeshade::desktop {
 
-/// What a typed character does, on any keyboard layout.
+/// Command of a typed character, on any keyboard layout.
 std::optional<viewer::Command> commandForCharacter(unsigned character);
 
-/// What a GLFW key with GLFW modifiers does that types no character.
+/// Command of a GLFW key that types no character, with GLFW modifiers.
 std::optional<viewer::Command> commandForKey(int key, int modifiers);
 
-/// All keys, a tab, and what they do, a line each.
+/// All keys and their effects: one line each, with a tab between key and effect.
 std::string helpText();
 
 } // namespace edgeshade::desktop

@@ -11,9 +11,10 @@ using viewer::OverlayVertex;
 
 constexpr float columnGap = 14.0f;
 constexpr float margin = 6.0f;         // around the text, times its scale
-constexpr std::size_t perLetter = 300; // bytes that stb_easy_font takes at most, by its own words
+constexpr std::size_t perLetter = 300; // most bytes that stb_easy_font takes, by its own
+                                       // documentation
 
-/// What stb_easy_font writes: four of these a rectangle.
+/// A vertex of stb_easy_font's output: four for each rectangle.
 struct FontVertex {
     float x, y, z;
     unsigned char color[4];
@@ -25,7 +26,7 @@ std::string printable(std::string text) {
     return text;
 }
 
-/// The text's first column, or its second one; both have all lines.
+/// The text's first or second column; both have all lines.
 std::string columnOf(const std::string& text, bool second) {
     std::string column;
     bool inSecond = false;

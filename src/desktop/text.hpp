@@ -6,12 +6,12 @@
 
 namespace edgeshade::desktop {
 
-/// Lines of text on a dark ground, as triangles; `x` and `y`: the ground's upper left corner.
-/// `scale`: of stb_easy_font's letters, which are about 7 pixels high. What follows a tab
-/// stands in a column of its own; what is not ASCII becomes ?.
+/// Lines of text on a dark background, as triangles; `x` and `y`: the background's upper left
+/// corner. `scale`: of stb_easy_font's letters, which are about 7 pixels high. Text after a tab
+/// goes into a second column; non-ASCII characters become ?.
 viewer::OverlayTriangles textTriangles(const std::string& text, float x, float y, float scale);
 
-/// How high the same text is with its ground.
+/// Height of the same text with its background.
 float textHeight(const std::string& text, float scale);
 
 } // namespace edgeshade::desktop

@@ -10,7 +10,7 @@
 namespace edgeshade::desktop {
 namespace {
 
-/// GLFW's own words for what went wrong last.
+/// GLFW's own message about the last error.
 std::string lastError() {
     const char* text = nullptr;
     glfwGetError(&text);
@@ -65,8 +65,7 @@ Window::Window(const WindowRequest& request) {
     glfwDestroyWindow(window_);
     glfwTerminate();
     unavailable(
-        "This display's windows have no depth, 8-bit stencil and alpha, which shadow volumes "
-        "need.");
+        "This display's windows lack depth, 8-bit stencil or alpha, which shadow volumes need.");
 }
 
 void Window::requireContext() const {

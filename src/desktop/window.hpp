@@ -22,7 +22,7 @@ struct WindowRequest {
 /// GLFW with one window whose OpenGL ES 2 context is current, with 8-bit alpha and stencil.
 class Window {
   public:
-    /// Throws Error(unavailable) that says what is missing, a display for instance.
+    /// Throws Error(unavailable) that names what is missing, for example a display.
     explicit Window(const WindowRequest& request);
     ~Window();
     Window(const Window&) = delete;
@@ -31,13 +31,13 @@ class Window {
     GLFWwindow* handle() const { return window_; }
     const gl::Capabilities& capabilities() const { return capabilities_; }
 
-    /// Throws Error(unavailable) if the context was lost. Nothing drawn from then on is seen.
+    /// Throws Error(unavailable) if the context was lost. Drawing after that has no visible effect.
     void requireContext() const;
 
   private:
     GLFWwindow* window_ = nullptr;
     gl::Capabilities capabilities_;
-    std::optional<gl::ResetStatus> reset_; ///< where the context tells
+    std::optional<gl::ResetStatus> reset_; ///< empty if the context can't report a loss
 };
 
 } // namespace edgeshade::desktop

@@ -28,7 +28,7 @@ CasterScene::CasterScene(SidesLayout layout, const gl::Capabilities& capabilitie
     : layout_(layout) {
     loaded_.scene.materials = maskMaterials();
     loaded_.scene.culls = true;
-    loaded_.settings.castMasked = true; // what of them casts is a matter of its material
+    loaded_.settings.castMasked = true; // the material decides which of them cast
     gpu_.emplace(
         uploadScene(loaded_, VolumeRecords{VolumeLayout::planePairs, layout_}, capabilities));
 }

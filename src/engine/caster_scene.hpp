@@ -16,37 +16,37 @@ inline glm::dmat4 matrixOf(const Matrix16& numbers) {
     return glm::make_mat4(numbers.data());
 }
 
-/// A host's meshes as a scene that isn't from a file, each of them a batch. A batch keeps its
-/// number: that of one that was removed is empty, and hidden, until the next one takes it.
+/// A host's meshes as a scene without a file, one batch for each mesh. A batch keeps its number:
+/// the batch of a removed mesh stays, empty and hidden, until the next mesh takes it.
 class CasterScene {
   public:
     using Id = ShadowMasks::Id;
 
     CasterScene(SidesLayout layout, const gl::Capabilities& capabilities);
 
-    // As in ShadowMasks. Nothing is uploaded. Throws InputError.
+    // As in ShadowMasks. Uploads nothing. Throws InputError.
     Id add(const PreparedMesh& mesh, const Matrix16& worldFromObject);
     void change(Id id, const PreparedMesh& mesh);
     void setAlpha(Id id, const MaskAlpha& alpha);
     void move(Id id, const Matrix16& worldFromObject);
     void remove(Id id);
 
-    /// Uploads a mesh ahead of add(); forgotten when nobody has the mesh any more.
+    /// Uploads a mesh ahead of add(); dropped when nobody holds the mesh any more.
     void upload(const PreparedMesh& mesh);
-    /// Uploads what is not there yet; the same mesh once.
+    /// Uploads all meshes that are missing on the GPU, each mesh once.
     void upload();
-    /// The lights' layers, in a scene that is as the picture shows it.
+    /// Fills in the lights' layers, for the scene in the picture's state.
     void fillLayers(std::vector<FrameLight>& lights);
 
-    /// All that casts, where it is.
+    /// All casters, in their places.
     std::vector<LookupTask::Caster> casters() const;
-    /// Another number whenever what casts has changed, or where.
+    /// Changes whenever a caster changes or moves.
     std::size_t casterState() const { return casterState_; }
 
     const LoadedScene& loaded() const { return loaded_; }
     GpuScene& gpu() { return *gpu_; }
     const Box& bounds();
-    /// On the GPU, of surfaces and records.
+    /// Size on the GPU, of surfaces and records.
     std::size_t bytes() const;
 
   private:
@@ -61,7 +61,7 @@ class CasterScene {
 
     Buffers buffersOf(const PreparedMesh::Data& mesh) const;
     void requireKnown(Id id) const;
-    /// A number that none has, hidden.
+    /// The number of an unused batch, hidden.
     std::size_t freeBatch();
     void show(std::size_t batch, const glm::dmat4& worldFromBatch);
     void place(std::size_t batch, const glm::dmat4& worldFromBatch);
@@ -78,7 +78,7 @@ class CasterScene {
     std::vector<bool> taken_, uploaded_; ///< by batch
     std::size_t casterState_ = 0;
     KeptLayers layers_;
-    std::optional<Box> bounds_; ///< nothing: something has moved since
+    std::optional<Box> bounds_; ///< empty: something has moved since they were computed
 };
 
 } // namespace edgeshade

@@ -8,7 +8,7 @@
 
 namespace edgeshade {
 
-/// A host's lights as the planner has them. Throws InputError that names the light and the field.
+/// Converts a host's lights to the planner's. Throws InputError that names the light and the field.
 std::vector<Light> lightsOf(std::span<const MaskLight> lights);
 
 } // namespace edgeshade

@@ -41,7 +41,8 @@ LightLookups::Id LightLookups::add(const LookupWork& work) {
         try {
             kept.table = gl::FloatTable(data.built.map.count, capabilities_);
             kept.told = toldOf(data.built, kept.table);
-            kept.told.uploaded = kept.texels.empty(); // by whoever has them
+            kept.told.uploaded = kept.texels.empty(); // without texels here, whoever holds them
+                                                      // uploads them
         } catch (const Error&) {
             kept.told.why = "the GL has no room for a table of " +
                             std::to_string(data.built.map.count) + " texels";

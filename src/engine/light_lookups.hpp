@@ -8,20 +8,20 @@
 
 namespace edgeshade {
 
-/// Maps of lights at rest on the GPU, for hosts to look up.
+/// Primitive maps of resting lights on the GPU, for hosts to look up.
 class LightLookups {
   public:
     using Id = std::uint32_t;
 
     explicit LightLookups(const gl::Capabilities& capabilities) : capabilities_(capabilities) {}
 
-    /// Why there can be no map of a light; a clause, or empty.
+    /// Why a light can have no map: a clause, or empty.
     std::string obstacle(const Light& light) const;
 
-    /// Takes the map out of what is done, and makes a texture that is empty as yet. Throws
-    /// InputError if it isn't done, or was taken before.
+    /// Takes the map out of finished work, and makes a texture that is still empty. Throws
+    /// InputError if the work isn't done, or its map was taken before.
     Id add(const LookupWork& work);
-    /// Returns whether all is there.
+    /// Uploads up to `mostBytes`; returns whether all is uploaded.
     bool upload(Id id, std::size_t mostBytes);
     void remove(Id id);
 

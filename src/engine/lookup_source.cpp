@@ -13,7 +13,7 @@ bool isWordCharacter(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// What the source names itself: its words for the map, and of cutouts.
+/// Whether the source defines this name itself: names of the map and of cutouts.
 bool isOwn(std::string_view word) {
     for (const std::string_view part : {"rimitive", "PRIMITIVE_"})
         if (word.find(part) != std::string_view::npos) return true;
@@ -26,7 +26,7 @@ std::string lowered(std::string_view word) {
     return text;
 }
 
-/// Uniforms and what is asked are named in short.
+/// The public name of a word; uniforms and the functions that a host calls get short ones.
 std::string named(const std::string& prefix, std::string_view word) {
     constexpr std::string_view uniform = "u_primitive", asked = "primitiveLit";
     if (word.starts_with(uniform)) return prefix + "_" + lowered(word.substr(uniform.size()));

@@ -9,7 +9,7 @@ PrimitiveMapSettings settingsOf(const LookupSettings& from) {
     PrimitiveMapSettings settings;
     settings.size = from.size;
     settings.mostBytes = from.mostBytes;
-    settings.othersReceive = true; // the host's own surfaces, too
+    settings.othersReceive = true; // the host's own surfaces receive too
     return settings;
 }
 

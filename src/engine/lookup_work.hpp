@@ -9,31 +9,31 @@
 
 namespace edgeshade {
 
-/// What a light's map is made of.
+/// Input for building a light's map.
 struct LookupTask {
     struct Caster {
-        std::shared_ptr<const PlanePairShadow> shadow; ///< its caps are asked
+        std::shared_ptr<const PlanePairShadow> shadow; ///< its caps are the casting triangles
         glm::dmat4 worldFromBatch{1.0};
     };
     Light light;
     LookupSettings settings;
     std::vector<Caster> casters;
-    std::string why; ///< there can be none, a clause
+    std::string why; ///< why there can be no map, a clause; else empty
 };
 
-/// What came of it.
+/// Result of building a light's map.
 struct BuiltLookup {
-    std::string why; ///< there is none, a clause
+    std::string why; ///< why there is no map, a clause; else empty
     PackedPrimitiveMap map;
-    double milliseconds = 0.0; ///< that were worked
+    double milliseconds = 0.0; ///< time spent building
 };
 
 struct LookupWork::Data {
-    /// Returns whether there is more to do.
+    /// Returns whether more remains to do.
     bool step();
 
     LookupTask task;
-    std::size_t casterState = 0; ///< of the casters, when they were taken down
+    std::size_t casterState = 0; ///< state of the casters when `task` was recorded
     BuiltLookup built;
     bool done = false, taken = false;
 
@@ -42,7 +42,7 @@ struct LookupWork::Data {
     std::optional<FittingMap> fitting = {};
 };
 
-/// Of nothing that was taken down yet.
+/// Work on a task, not yet started.
 LookupWork workOn(LookupTask task, std::size_t casterState);
 
 } // namespace edgeshade

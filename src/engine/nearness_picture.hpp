@@ -6,12 +6,12 @@
 
 namespace edgeshade {
 
-/// How near what each pixel shows is, as a texture for hosts (MaskNearness).
+/// The nearness of each pixel's surface, as a texture for hosts (MaskNearness).
 class NearnessPicture {
   public:
     explicit NearnessPicture(const gl::Capabilities& capabilities) : target_(capabilities) {}
 
-    /// `asked`: what the view was made for. Leaves its framebuffer bound. Throws
+    /// `asked`: the frustum that the host requested. Leaves its framebuffer bound. Throws
     /// Error(unavailable) if the GL can't draw so.
     void draw(Renderer& renderer, const GpuScene& scene, const FrameView& view,
               const Frustum& asked);

@@ -11,7 +11,7 @@
 namespace edgeshade {
 namespace {
 
-// Of the numbers in maskMaterials().
+// Bits of a material's number in maskMaterials().
 constexpr std::size_t singleSided = 1, receives = 2, alphaTested = 4;
 
 std::size_t materialOf(const MaskMesh& mesh) {
@@ -79,7 +79,7 @@ std::vector<Material> maskMaterials() {
     std::vector<Material> made(8);
     for (std::size_t i = 0; i < made.size(); ++i) {
         made[i].doubleSided = (i & singleSided) == 0;
-        // As a ground does it casts nothing, even where MASK surfaces cast.
+        // Like a ground, it casts nothing, even where MASK surfaces cast.
         if (i & receives) made[i].ground = GroundMaterial::surface;
         if (i & alphaTested) made[i].alphaMode = AlphaMode::mask;
     }

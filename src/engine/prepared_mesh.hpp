@@ -8,15 +8,15 @@
 namespace edgeshade {
 
 struct PreparedMesh::Data {
-    CopyOnWrite<Geometry> geometry; ///< one group of maskMaterials(), or empty
+    CopyOnWrite<Geometry> geometry; ///< one group, of one of the maskMaterials(), or empty
     std::shared_ptr<const PlanePairShadow> shadow;
     bool alphaTested = false;
-    std::vector<glm::vec4> alphaCorners = {}; ///< of the caps, see alphaCorners(); empty where
-                                              ///< nothing that casts is alpha-tested
+    std::vector<glm::vec4> alphaCorners = {}; ///< of the caps, see alphaCorners(); empty if no
+                                              ///< caster is alpha-tested
 };
 
-/// What meshes are made of: those that cast or only receive, seen from both sides or one, with
-/// alpha tests or without.
+/// Materials of meshes: casting or only receiving, double-sided or single-sided, with or without
+/// alpha test.
 std::vector<Material> maskMaterials();
 
 } // namespace edgeshade

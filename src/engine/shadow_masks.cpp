@@ -18,8 +18,8 @@ namespace {
 
 constexpr std::size_t channels = 4;
 
-/// What the context can do where this draws, in framebuffers of its own. Throws Error(unavailable)
-/// where it can't draw there.
+/// The context's capabilities in the framebuffers that masks are drawn into. Throws
+/// Error(unavailable) where it can't draw into them.
 gl::Capabilities capabilitiesOf(ShadowMasks::LookUp lookUp) {
     gl::Capabilities found = gl::queryCapabilities(lookUp);
     const gl::ColorTarget color(1, 1);
@@ -34,7 +34,7 @@ gl::Capabilities capabilitiesOf(ShadowMasks::LookUp lookUp) {
     return found;
 }
 
-/// Some GL may be known by its version alone before it is asked for more.
+/// The GL's functions that its version and extensions announce; queries nothing else.
 gl::HostFunctions functionsOf(ShadowMasks::LookUp lookUp) {
     const auto text = [](GLenum name) {
         const GLubyte* string = glGetString(name);
@@ -51,7 +51,7 @@ RenderSettings settingsFor(const gl::Capabilities& capabilities) {
 
 } // namespace
 
-/// What is drawn with; made and destroyed with the host's state kept.
+/// Everything needed to draw; created and destroyed with the host's state kept.
 struct MaskDrawing {
     explicit MaskDrawing(const gl::Capabilities& of)
         : capabilities(of), renderer(settingsFor(of), of), casters(renderer.settings().layout, of),
@@ -145,7 +145,7 @@ struct ShadowMasks::Impl {
         withStateKept([&] { drawing.emplace(capabilitiesOf(lookUp)); });
     }
 
-    /// Returns the host's own error.
+    /// Returns the host's own GL error.
     template <class Action>
     unsigned withStateKept(Action action) {
         if (!arrays) {
@@ -167,7 +167,7 @@ struct ShadowMasks::Impl {
     }
 
     gl::HostFunctions functions;
-    std::optional<gl::OwnArrays> arrays; ///< none: the host keeps its state
+    std::optional<gl::OwnArrays> arrays; ///< empty: the host keeps its state itself
     std::optional<MaskDrawing> drawing;
     double buildMs = 0.0; ///< since the last draw()
     MaskCost cost;

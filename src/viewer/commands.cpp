@@ -8,15 +8,15 @@ namespace edgeshade::viewer {
 namespace {
 
 constexpr double turn = glm::radians(5.0);
-constexpr double panShare = 0.05; // of the picture's height
+constexpr double panShare = 0.05; // share of the picture's height
 constexpr double zoomStep = 0.85;
 constexpr double lightTurn = glm::radians(3.0);
-constexpr double lightShare = 0.02; // of the picture's height
-constexpr double lightStep = 0.94;  // of its distance from the eye
+constexpr double lightShare = 0.02; // share of the picture's height
+constexpr double lightStep = 0.94;  // share of the light's distance from the eye
 constexpr double splitStep = 0.02;
 constexpr double speedStep = 1.25;
-constexpr std::chrono::minutes timeStep(10); // of the sun
-constexpr std::size_t lightsInARow = 8;      // places that added lights come to in turn
+constexpr std::chrono::minutes timeStep(10); // step of the sun's time
+constexpr std::size_t lightsInARow = 8;      // added lights take this many places in turn
 
 Camera pannedBy(const ViewState& state, const Stage& stage, double x, double y) {
     const PictureView view = stage.viewOf(state.camera);
@@ -28,8 +28,8 @@ Camera zoomedBy(const ViewState& state, const Stage& stage, double factor) {
     return zoomedTowards(state.camera, 0.5 * glm::dvec2(stage.width, stage.height), factor, stage);
 }
 
-/// Moves a point light in the plane parallel to the picture; turns a sun around the world's axis
-/// and towards its poles.
+/// Moves a point light in the plane parallel to the picture; turns a sun around the world's
+/// vertical axis or towards its poles.
 Light lightMoved(const Light& light, const ViewState& state, const Stage& stage, double x,
                  double y) {
     if (light.position.w == 0.0) {
@@ -42,7 +42,7 @@ Light lightMoved(const Light& light, const ViewState& state, const Stage& stage,
     const glm::dvec3 place(light.position);
     const double depth =
         view.depthOf(place) > 0.0 ? view.depthOf(place) : view.depthOf(state.camera.to);
-    // What follows the light is what a pan would move the other way.
+    // The camera follows the light by a pan the other way.
     const Camera followed = panned(view, -glm::dvec2(x, y) * (lightShare * stage.height), depth);
     return light.at(glm::dvec4(place + followed.from - state.camera.from, 1.0));
 }
@@ -84,7 +84,7 @@ ShadowMethod next(ShadowMethod method) {
     }
 }
 
-/// Commands about lights. False: it is none of them.
+/// Commands about lights. Returns false for any other command.
 bool runOnLights(Command command, ViewState& state, const Stage& stage) {
     if (state.lights.empty()) return false;
     Light& light = state.lights[state.chosenLight];
@@ -124,7 +124,7 @@ bool runOnLights(Command command, ViewState& state, const Stage& stage) {
     }
 }
 
-/// Commands about a sun by place and time. False: it is none of them.
+/// Commands about a sun by place and time. Returns false for any other command.
 bool runOnSun(Command command, ViewState& state) {
     const auto move = [&](std::chrono::seconds by) {
         if (state.sun) state.sun = movedBy(*state.sun, by);
@@ -150,7 +150,7 @@ bool runOnSun(Command command, ViewState& state) {
     }
 }
 
-/// Commands about the camera. False: it is none of them.
+/// Commands about the camera. Returns false for any other command.
 bool runOnCamera(Command command, ViewState& state, const Stage& stage) {
     Camera& camera = state.camera;
     switch (command) {

@@ -9,43 +9,43 @@
 
 namespace edgeshade::viewer {
 
-/// All that counts of lights' points depend on.
+/// Everything that the counts of lights' points depend on.
 struct CountedScene {
     SeenScene seen;
     std::vector<Light> lights;
-    std::vector<bool> drawn; ///< which of them, and that points are counted for
+    std::vector<bool> drawn; ///< whether each light is drawn, and its points are counted
     std::size_t lightSamples = 0;
-    std::array<SideSettings, 2> sides; ///< of one picture both are the same
+    std::array<SideSettings, 2> sides; ///< equal where the picture isn't split
     bool cutouts = false;
 
     bool operator==(const CountedScene&) const = default;
 };
 
-/// Counts the points of lights with an extent, a few between two frames, while nothing moves: by
-/// and by shadows become soft. A picture is worth being drawn after 4 points, 16, 64 and so on, and
-/// after the last one; before, lights are as hard as their centre makes them.
+/// Counts the points of lights with an extent, a few between two frames, while nothing moves, so
+/// that shadows gradually become soft. A picture is worth drawing after 4, 16, 64 ... points and
+/// after the last one; until the first of these, only the light's centre casts shadow.
 class Convergence {
   public:
     explicit Convergence(const gl::Capabilities& capabilities)
         : sides_{ExtendedLights(capabilities), ExtendedLights(capabilities)} {}
 
-    /// What is seen now, drawn as `view`. Starts anew unless it is what was seen before.
+    /// Sets the scene and its view. Restarts the count if either has changed.
     void see(const CountedScene& scene, const FrameView& view);
 
-    /// Whether there are points to be counted.
+    /// Whether points are left to count.
     bool wantsMore() const { return counted_ < of_; }
 
-    /// Goes on; `renderers`: of the left side and, where there is a split, of the right one, null:
-    /// its shadows take none. `now`: seconds. Returns whether a better picture can be drawn. Throws
+    /// Continues. `renderers`: of the left side and, with a split, the right side; null where that
+    /// side counts no points. `now`: seconds. Returns whether a better picture can be drawn. Throws
     /// Error.
     bool advance(std::array<Renderer*, 2> renderers, GpuScene& scene, const LoadedScene& loaded,
                  double now);
 
-    /// For Renderer::draw() of what is seen now; empty: lights are hard.
+    /// Lookups for Renderer::draw() of the current view; empty: shadows are hard.
     std::vector<VisibilityLookup> visibility(std::size_t side);
 
     std::size_t shown() const { return shown_; } ///< points of each light in the last picture
-    std::size_t of() const { return of_; }       ///< 0: no light has an extent
+    std::size_t of() const { return of_; }       ///< points in the end; 0: no light has an extent
     std::size_t bytes() const { return sides_[0].bytes() + sides_[1].bytes(); }
 
   private:

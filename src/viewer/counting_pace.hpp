@@ -5,13 +5,13 @@
 
 namespace edgeshade::viewer {
 
-/// How many masks are counted between two frames: as many as leave frames quick.
+/// Chooses how many masks to count between two frames: as many as keep frames quick.
 class CountingPace {
   public:
-    /// `now`: seconds, of this frame.
+    /// `now`: the time of this frame in seconds.
     std::size_t next(double now);
 
-    /// Nothing is known of the frame before the next one.
+    /// Ignores the time until the next frame.
     void restart() { last_.reset(); }
 
   private:
@@ -19,8 +19,8 @@ class CountingPace {
     std::optional<double> last_;
 };
 
-/// How many, of so many to be counted, make the next picture worth drawing: 4, 16, 64 and so on,
-/// and all.
+/// The next number of counted masks at which a picture is worth drawing: 4, 16, 64 and so on, and
+/// all. `of`: all; `counted`: so far.
 std::size_t nextPicture(std::size_t counted, std::size_t of);
 
 } // namespace edgeshade::viewer

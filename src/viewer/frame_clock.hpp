@@ -6,18 +6,18 @@
 
 namespace edgeshade::viewer {
 
-/// Turns the time of day into the animation's.
+/// Advances the animation's time by the clock.
 class FrameClock {
   public:
-    /// Moves the state's time on by what has passed since the last call, in a circle of `length`
-    /// seconds; returns whether it moved. Time that passes while nothing plays doesn't count.
+    /// Moves the state's time on by the time since the last call, modulo `length` seconds; returns
+    /// whether it moved. Time during which nothing plays doesn't count.
     bool advance(double now, double length, ViewState& state);
 
   private:
-    std::optional<double> last_; ///< while something plays
+    std::optional<double> last_; ///< of the last call; empty unless something plays
 };
 
-/// The mean of the last few figures, so that they can be read.
+/// The mean of the last few values, steady enough to read.
 class RecentMean {
   public:
     void add(double value);

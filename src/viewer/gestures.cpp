@@ -5,7 +5,8 @@
 namespace edgeshade::viewer {
 namespace {
 
-constexpr double closest = 1.0; // pixels between two fingers, so that nothing is divided by 0
+constexpr double closest = 1.0; // least distance of two fingers in pixels, so that nothing is
+                                // divided by 0
 
 glm::dvec2 placeOf(const Pointer& pointer) {
     return {pointer.x, pointer.y};

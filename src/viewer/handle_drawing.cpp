@@ -11,7 +11,7 @@ constexpr OverlayColor lamp = {255, 205, 60, 255};
 constexpr OverlayColor outline = {40, 36, 20, 255};
 constexpr OverlayColor ring = {255, 255, 255, 235};
 constexpr OverlayColor stem = {40, 36, 20, 170};
-constexpr OverlayColor stemEdge = {255, 255, 255, 110}; // on dark ground
+constexpr OverlayColor stemEdge = {255, 255, 255, 110}; // on a dark background
 constexpr OverlayColor splitLine = {255, 255, 255, 220};
 constexpr OverlayColor splitEdge = {30, 30, 30, 120};
 

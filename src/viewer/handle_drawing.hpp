@@ -6,11 +6,11 @@
 
 namespace edgeshade::viewer {
 
-/// The lights' handles: a disc for a point light, one with rays for a sun, a ring around the chosen
-/// one. A sun hangs on a line from the scene's middle, a point light stands on one to its floor.
+/// Handles of the lights: a disc for a point light, a disc with rays for a sun, a ring around the
+/// chosen one. A line connects a sun to the scene's middle, and a point light to the scene's floor.
 OverlayTriangles handleTriangles(const ViewState& state, const Stage& stage);
 
-/// The line between the sides of a split.
+/// The line between the two sides of a split.
 OverlayTriangles splitTriangles(const ViewState& state, const Stage& stage);
 
 } // namespace edgeshade::viewer

@@ -4,8 +4,8 @@ namespace edgeshade::viewer {
 
 enum class PointerButton { primary, middle, secondary };
 
-/// A finger, pen or mouse; x and y in picture pixels, rows down. Fingers have ids of their own, so
-/// that two of them pinch.
+/// A finger, pen or mouse; x and y in picture pixels, y down. Each finger has its own id, so that
+/// two of them can pinch.
 struct Pointer {
     int id = 0;
     double x = 0.0;
@@ -15,7 +15,7 @@ struct Pointer {
     bool control = false;
 };
 
-/// What keys do, whatever keys a platform gives them.
+/// Actions of keys, whichever keys a platform assigns to them.
 enum class Command {
     orbitLeft,
     orbitRight,
@@ -39,19 +39,19 @@ enum class Command {
     addLight,
     removeLight,
     toggleSun,
-    nextShadows, ///< of the whole picture, or of the right side of a split
+    nextShadows, ///< for the whole picture, or for the right side of a split
     toggleSplit,
     splitLeft,
     splitRight,
     toggleDebug,
-    toggleGround, ///< one that catches shadow
+    toggleGround, ///< a ground that catches shadow
     toggleLights,
     nextAnimation, ///< of the file
     togglePlaying,
     slower,
     faster,
-    toggleDay,   ///< of a sun by place and time; so are the next five
-    toggleHours, ///< of sun
+    toggleDay,   ///< for a sun by place and time, as are the next five
+    toggleHours, ///< hours of sunlight
     earlier,
     later,
     dayEarlier,

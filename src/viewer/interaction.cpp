@@ -7,9 +7,10 @@
 namespace edgeshade::viewer {
 namespace {
 
-constexpr double turnAPicture = glm::pi<double>(); // radians that a drag over its height orbits
+constexpr double turnAPicture = glm::pi<double>(); // radians that a drag over the picture's height
+                                                   // orbits
 constexpr double zoomANotch = 0.88;
-// Of the pivot's distance, in sizes of the scene.
+// Limits for the pivot's distance, in sizes of the scene.
 constexpr double nearestPivot = 1e-5;
 constexpr double farthestPivot = 100.0;
 
@@ -17,7 +18,7 @@ glm::dvec2 placeOf(const Pointer& pointer) {
     return {pointer.x, pointer.y};
 }
 
-/// What is seen at the pixel: a surface, else the plane through the pivot.
+/// The point under the pixel: on a surface, else on the plane through the pivot.
 glm::dvec3 pointAt(const Camera& camera, const glm::dvec2& pixel, const Stage& stage) {
     const PictureView view = stage.viewOf(camera);
     if (stage.firstHit)
@@ -30,7 +31,7 @@ Camera zoomedTo(const Camera& camera, const glm::dvec3& target, double factor, c
                   farthestPivot * stage.size());
 }
 
-/// The depth of a point, or of the pivot where the point has come behind the eye.
+/// The depth of a point, or of the pivot if the point is now behind the eye.
 double panDepth(const PictureView& view, const glm::dvec3& held) {
     const double depth = view.depthOf(held);
     return depth > 0.0 ? depth : view.depthOf(view.camera.to);
@@ -121,7 +122,7 @@ ViewState Interaction::moved(const Motion& motion, const ViewState& state, const
 void Interaction::up(const Pointer& pointer) {
     gestures_.up(pointer);
     light_.reset();
-    // The finger that stays goes on as one that came down alone.
+    // The remaining finger continues as if it had come down alone.
     drag_ = gestures_.count() == 1 ? Drag::orbit : Drag::none;
 }
 

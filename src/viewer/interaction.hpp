@@ -6,19 +6,19 @@
 
 namespace edgeshade::viewer {
 
-/// Sizes of what can be grabbed, in window pixels (times Stage::pixelRatio in the picture's).
+/// Sizes of grab areas, in window pixels (times Stage::pixelRatio in picture pixels).
 inline constexpr double handleRadius = 9.0;
 inline constexpr double grabReach = 16.0;
 inline constexpr double splitReach = 6.0;
 
-/// What pointers and the wheel do to a view's state. Dragging: the primary button orbits, the
-/// secondary one, the middle one or shift pans, control moves the chosen light; a light's handle or
-/// the split's line is dragged where it is grabbed. Two fingers pinch and pan.
+/// Changes a view's state by pointers and the wheel. The primary button orbits; the secondary or
+/// middle button, or shift, pans; control moves the chosen light. A light's handle or the split's
+/// line is dragged wherever it is grabbed. Two fingers pinch and pan.
 class Interaction {
   public:
-    // Each returns the state that comes of it.
+    // Each returns the resulting state.
     ViewState down(const Pointer& pointer, const ViewState& state, const Stage& stage);
-    /// Nothing where the pointer isn't down.
+    /// Empty if the pointer isn't down.
     std::optional<ViewState> move(const Pointer& pointer, const ViewState& state,
                                   const Stage& stage);
     void up(const Pointer& pointer);
@@ -33,10 +33,10 @@ class Interaction {
     Gestures gestures_;
     Drag drag_ = Drag::none;
     std::optional<LightDrag> light_;
-    glm::dvec3 held_{0.0}; ///< the surface point that a pan or a pinch began on
+    glm::dvec3 held_{0.0}; ///< the surface point where a pan or a pinch began
 };
 
-/// Eye and pivot come nearer to what is seen at the pixel (factor < 1), or go away.
+/// Moves eye and pivot towards the point under the pixel (factor < 1) or away from it.
 Camera zoomedTowards(const Camera& camera, const glm::dvec2& pixel, double factor,
                      const Stage& stage);
 

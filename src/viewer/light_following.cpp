@@ -8,7 +8,7 @@ namespace {
 constexpr double tolerance = 1e-5; // relative
 
 bool isNear(double a, double b, double size) {
-    return a == b || std::abs(a - b) <= tolerance * size; // equal infinities too
+    return a == b || std::abs(a - b) <= tolerance * size; // also true for equal infinities
 }
 
 bool isNear(const glm::dvec3& a, const glm::dvec3& b) {
@@ -38,12 +38,12 @@ void followLights(std::vector<Light>& lights, const std::vector<Light>& before,
     };
     for (std::size_t i = 0; i < lights.size(); ++i) {
         Light& light = lights[i];
-        // The one in its place first: another may be where it was.
+        // The light at the same index first: another may be where this one was.
         const bool own = i < now.size() && (isSame(light, before[i]) || isSame(light, now[i]));
         std::size_t index = own ? i : indexIn(before, light);
         if (index == now.size()) index = indexIn(now, light);
         if (index == now.size()) continue;
-        const std::optional<LightExtent> extent = light.extent; // files have none
+        const std::optional<LightExtent> extent = light.extent; // lights of files have no extent
         light = now[index];
         light.extent = extent;
     }

@@ -5,7 +5,8 @@
 namespace edgeshade::viewer {
 namespace {
 
-constexpr double sphereShare = 0.35; // of the scene's diagonal: within most views of all of it
+constexpr double sphereShare = 0.35; // of the scene's diagonal: inside most views of the whole
+                                     // scene
 
 } // namespace
 
@@ -66,7 +67,7 @@ Light LightDrag::movedTo(const glm::dvec2& pixel, const Light& light, const Pict
     const bool isOutside = halfChordSquared < 0.0;
     if (outside_ && !isOutside) farSide_ = !farSide_;
     outside_ = isOutside;
-    // From inside the sphere its far side is the only one there is.
+    // Seen from inside the sphere, only its far side exists.
     const double halfChord = std::sqrt(std::max(0.0, halfChordSquared));
     const double at = along - halfChord > 0.0 && !farSide_ ? along - halfChord : along + halfChord;
     const glm::dvec3 direction = ray.from + at * ray.direction - handles_.middle();

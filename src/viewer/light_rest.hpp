@@ -7,16 +7,16 @@
 
 namespace edgeshade::viewer {
 
-/// Since when lights are where they are, as large as they are and of the range that they have.
+/// Remembers since when each light has kept its position, extent and range.
 class LightRest {
   public:
-    /// How long a light stays before it counts as resting, in seconds.
+    /// Seconds that a light must stay the same before it counts as resting.
     static constexpr double enough = 0.5;
 
-    /// Where they are at a time, in seconds on a clock that only goes forward.
+    /// Notes the lights at a time, in seconds on a clock that only goes forward.
     void see(const std::vector<Light>& lights, double now);
     bool rests(const Light& light, double now) const;
-    /// Another scene: what rested has to rest anew.
+    /// For a new scene: all lights must come to rest again.
     void clear() { since_.clear(); }
 
   private:

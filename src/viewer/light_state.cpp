@@ -64,11 +64,12 @@ Cone coneFrom(const Field& field) {
 
 glm::dvec2 sizeFrom(const Field& field) {
     const glm::dvec2 size = field.place<2>();
-    if (!(size.x >= smallestLength && size.y >= smallestLength)) field.fail("above 0 both ways");
+    if (!(size.x >= smallestLength && size.y >= smallestLength))
+        field.fail("above 0 in both directions");
     return size;
 }
 
-/// Reads a key that says what shape a light has; false: it is another key.
+/// Reads a key that describes the light's extent; returns false for any other key.
 bool readExtent(const std::string& key, const Field& value, std::optional<LightExtent>& extent) {
     using Shape = LightExtent::Shape;
     LightExtent read = extent.value_or(LightExtent());
@@ -88,7 +89,8 @@ bool readExtent(const std::string& key, const Field& value, std::optional<LightE
     } else {
         return false;
     }
-    if (extent && extent->shape != read.shape) value.fail("of the shape that the light has");
+    if (extent && extent->shape != read.shape)
+        value.fail("for the same shape as the light's other fields");
     extent = read;
     return true;
 }

@@ -6,19 +6,19 @@
 namespace edgeshade::viewer {
 namespace {
 
-constexpr double steepest = glm::radians(89.9); // of the pitch; beyond it `up` loses its meaning
+constexpr double steepest = glm::radians(89.9); // largest pitch; beyond it `up` loses its meaning
 
 double tangentOfHalfFov(const Camera& camera) {
     return std::tan(glm::radians(0.5 * camera.fovDegrees));
 }
 
-/// The picture's axes in the world: right, up.
+/// The picture's right and up axes in the world.
 std::pair<glm::dvec3, glm::dvec3> pictureAxes(const Camera& camera) {
     const glm::dmat3 worldFromView = glm::transpose(glm::dmat3(viewFromWorld(camera)));
     return {worldFromView[0], worldFromView[1]};
 }
 
-/// Around +Y from +Z to +X; the right one of the two where the camera looks straight up or down.
+/// Angle around +Y from +Z to +X; also right where the camera looks straight up or down.
 double yawOf(const Camera& camera) {
     const auto [right, up] = pictureAxes(camera);
     return std::atan2(-right.z, right.x);

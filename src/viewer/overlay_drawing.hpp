@@ -10,7 +10,7 @@ namespace edgeshade::viewer {
 
 using OverlayColor = std::array<std::uint8_t, 4>; ///< sRGB, alpha
 
-/// Collects triangles of lines and discs, in pixels.
+/// Collects the triangles of lines and discs, in pixels.
 class OverlayDrawing {
   public:
     void triangle(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c,

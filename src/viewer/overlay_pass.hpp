@@ -7,7 +7,8 @@
 
 namespace edgeshade::viewer {
 
-/// A corner of a flat triangle over the picture: pixels, rows down; sRGB, alpha.
+/// A corner of a flat triangle over the picture: position in pixels, y down; colour in sRGB and
+/// alpha.
 struct OverlayVertex {
     glm::vec2 position;
     std::uint8_t color[4];
@@ -16,8 +17,8 @@ struct OverlayVertex {
 /// Triangles, three corners each.
 using OverlayTriangles = std::vector<OverlayVertex>;
 
-/// Draws flat coloured triangles over the picture: handles, lines, text. Its own alpha is left as
-/// it is.
+/// Draws flat coloured triangles over the picture: handles, lines, text. Leaves the picture's own
+/// alpha unchanged.
 class OverlayPass {
   public:
     OverlayPass();

@@ -5,14 +5,14 @@
 namespace edgeshade::viewer {
 namespace {
 
-/// The ray's parameter at a triangle (Moeller and Trumbore 1997), from either side or from its
-/// front alone; infinity where it misses.
+/// The ray's parameter at a triangle (Moeller and Trumbore 1997), from either side or only from its
+/// front; infinity if it misses.
 double distanceTo(const Ray& ray, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
                   bool frontAlone) {
     constexpr double miss = std::numeric_limits<double>::infinity();
     const glm::dvec3 ab = b - a, ac = c - a;
     const glm::dvec3 p = glm::cross(ray.direction, ac);
-    const double determinant = glm::dot(ab, p); // above 0 where the ray meets the front
+    const double determinant = glm::dot(ab, p); // above 0 if the ray meets the front
     if (determinant == 0.0 || (frontAlone && determinant < 0.0)) return miss;
     const glm::dvec3 offset = ray.from - a;
     const double u = glm::dot(offset, p) / determinant;
@@ -31,7 +31,7 @@ std::optional<glm::dvec3> firstHit(const Scene& scene, const Ray& ray) {
     for (const Batch& batch : scene.batches) {
         if (batch.ground || batch.hidden) continue;
         const glm::dmat4 batchFromWorld = glm::inverse(batch.worldFromBatch);
-        // The direction keeps its length through the transform, so parameters stay distances.
+        // The transform keeps the direction's length, so parameters stay distances.
         const Ray local{glm::dvec3(batchFromWorld * glm::dvec4(ray.from, 1.0)),
                         glm::dvec3(batchFromWorld * glm::dvec4(ray.direction, 0.0))};
         for (const SurfaceGroup& group : batch.geometry->groups) {

@@ -6,8 +6,8 @@
 
 namespace edgeshade::viewer {
 
-/// The first point of the scene's triangles on the ray, but for backs that it culls. Takes time
-/// linear in the triangles: a few milliseconds for 150,000.
+/// The first point of the scene's triangles on the ray, ignoring backs that the scene culls. Takes
+/// time linear in the triangles: a few milliseconds for 150,000.
 std::optional<glm::dvec3> firstHit(const Scene& scene, const Ray& ray);
 
 } // namespace edgeshade::viewer

@@ -2,7 +2,7 @@
 
 namespace edgeshade::viewer {
 
-/// What makes no difference is left out, so that settings which draw alike share a renderer.
+/// Leaves out settings without effect, so that sides that draw alike share a renderer.
 Renderers::Key Renderers::keyOf(const SideSettings& side, Shading shading) {
     const bool map = side.shadows == ShadowMethod::map;
     const bool volumes =

@@ -7,31 +7,32 @@
 
 namespace edgeshade::viewer {
 
-/// Renderers by the settings that they draw: compiled once, at hand when a user switches back.
+/// Renderers by the settings that they draw: compiled once, and ready when a user switches back.
 class Renderers {
   public:
-    /// `base`: all settings that SideSettings doesn't have; its layout is used as it is.
+    /// `base`: all settings that SideSettings doesn't have; its layout is used unchanged.
     Renderers(const RenderSettings& base, const gl::Capabilities& capabilities)
         : base_(base), capabilities_(capabilities) {}
 
-    /// Throws Error(unavailable) if the GL can't, as for a map that is too large.
+    /// Throws Error(unavailable) if the GL can't draw with these settings, for example with a map
+    /// that is too large.
     Renderer& of(const SideSettings& side, const ViewState& state);
 
-    /// Gives back the shadow maps, and masks of lower resolution, of renderers that the state
-    /// doesn't use.
+    /// Frees the shadow maps and the masks of lower resolution of renderers that the state doesn't
+    /// use.
     void dropUnusedTargets(const ViewState& state);
 
     const RenderSettings& base() const { return base_; }
 
-    /// How many are at hand.
+    /// Number of renderers.
     std::size_t size() const { return renderers_.size(); }
 
-    /// Of all shadow maps that are kept.
+    /// Size of all shadow maps that are kept.
     std::size_t mapBytes() const;
-    /// Of all masks of lower resolution.
+    /// Size of all masks of lower resolution.
     std::size_t maskBytes() const;
 
-    /// Of all potential silhouettes that are gathered for lights.
+    /// Size of all potential silhouettes collected for lights.
     std::size_t volumeBytes() const;
 
   private:

@@ -4,12 +4,12 @@
 
 namespace edgeshade::viewer {
 
-/// What is seen of a scene, whatever lights it: counts of masks are of one such view.
+/// The visible scene apart from its lights; counts of masks hold for one such view.
 struct SeenScene {
     Frustum frustum;
     glm::ivec2 size{0};
     bool ground = false, culls = false;
-    std::size_t pose = 0; ///< counts whatever else has moved or changed
+    std::size_t pose = 0; ///< counts all other movements and changes
 
     bool operator==(const SeenScene&) const = default;
 };

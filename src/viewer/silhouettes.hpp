@@ -5,14 +5,14 @@
 
 namespace edgeshade::viewer {
 
-/// The scene's edges: all of them, and those that cast a side in a light.
+/// Numbers of the scene's edges: all records, and those that cast a side for a light.
 struct EdgeCounts {
     std::size_t records = 0;
     std::size_t edges = 0;
     std::size_t silhouettes = 0; ///< records with non-zero multiplicity (docs/method.md, Terms)
 };
 
-/// Counts in double, for people: the vertex shader alone judges what is drawn.
+/// Counts in double precision, for display: the vertex shader alone decides what is drawn.
 EdgeCounts countEdges(const LoadedScene& loaded, const Light& light);
 
 } // namespace edgeshade::viewer

@@ -5,8 +5,8 @@
 namespace edgeshade::viewer {
 
 void waitForPicture() {
-    // Of a framebuffer of one's own none that has samples can be read; it is no browser's either,
-    // where finishing doesn't wait.
+    // A framebuffer object with samples can't be read back. None is used in browsers, the only
+    // place where glFinish() doesn't wait.
     GLint framebuffer = 0, sampled = 0;
     glGetIntegerv(GL_FRAMEBUFFER_BINDING, &framebuffer);
     glGetIntegerv(GL_SAMPLE_BUFFERS, &sampled);
@@ -14,7 +14,7 @@ void waitForPicture() {
     GLint format = GL_RGBA, type = GL_UNSIGNED_BYTE;
     glGetIntegerv(GL_IMPLEMENTATION_COLOR_READ_FORMAT, &format);
     glGetIntegerv(GL_IMPLEMENTATION_COLOR_READ_TYPE, &type);
-    float pixel[4]; // as large as any has it
+    float pixel[4]; // large enough for every format
     glReadPixels(0, 0, 1, 1, static_cast<GLenum>(format), static_cast<GLenum>(type), pixel);
 }
 

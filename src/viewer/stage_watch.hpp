@@ -7,18 +7,18 @@
 
 namespace edgeshade::viewer {
 
-/// Waits until the GL has drawn. glFinish is not waited for in browsers, a read-back is.
+/// Waits until the GL has drawn. Reads a pixel back, because browsers don't wait in glFinish().
 void waitForPicture();
 
-/// Times a frame's stages by waiting at their ends, which works in every window and browser and
-/// makes that frame slower.
+/// Times a frame's stages by waiting at their ends. This works in every window and browser, and
+/// slows that frame down.
 class StageWatch : public StageClock {
   public:
     void enter(FrameStage stage) override;
     void leave() override;
     bool wantsSilhouette() const override { return true; }
 
-    /// What was timed so far.
+    /// The times measured so far.
     StageMs stages() const { return stageMs(spans_); }
 
   private:

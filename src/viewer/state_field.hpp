@@ -15,7 +15,7 @@ namespace edgeshade::viewer {
 template <class Value, std::size_t N>
 using Words = std::array<std::pair<const char*, Value>, N>;
 
-/// A value of the state and its name, for messages.
+/// A value of the state with its name for messages.
 class Field {
   public:
     using Json = nlohmann::ordered_json;
@@ -27,7 +27,7 @@ class Field {
         throw Error(ExitStatus::usage, name_ + " is " + text() + ", but must be " + wanted + ".");
     }
 
-    /// Calls read(key, Field) for every member; it returns false for a key that it doesn't know.
+    /// Calls read(key, Field) for every member; `read` returns false for an unknown key.
     template <class Read>
     void forEachMember(Read read) const {
         if (!value_.is_object()) fail("an object");
@@ -55,7 +55,7 @@ class Field {
 
     double number(double low, double high) const {
         const double number = value_.is_number() ? value_.get<double>() : NAN;
-        if (!(number >= low && number <= high)) // false for what is no number too
+        if (!(number >= low && number <= high)) // false for NaN too
             fail("a number from " + Json(low).dump() + " to " + Json(high).dump());
         return number;
     }
@@ -72,7 +72,7 @@ class Field {
     }
 
     std::string word() const {
-        if (!value_.is_string()) fail("a text");
+        if (!value_.is_string()) fail("a string");
         return value_.get<std::string>();
     }
 

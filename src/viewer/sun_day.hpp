@@ -8,20 +8,20 @@
 
 namespace edgeshade::viewer {
 
-/// A point of the sun's way through the day.
+/// A point of the sun's path over the day.
 struct ArcPoint {
-    glm::dvec3 direction{}; ///< towards it, in the scene
-    bool fullHour = false;  ///< of the clock
+    glm::dvec3 direction{}; ///< towards the sun, in the scene
+    bool fullHour = false;  ///< at a full hour of the clock
 };
 
-/// What the day of a sun by place and time is like.
+/// The course of one day for a sun by place and time.
 struct SunDay {
     std::vector<std::vector<ArcPoint>> arcs; ///< sun::sunPaths()
     std::optional<sun::LocalTime> rise,
-        set; ///< the first rise and the last set, where there are any
+        set; ///< the first rise and the last set, if there are any
 };
 
-/// Works out the day once, and again when place, date, offset or north are others.
+/// Computes the day once, and again only when place, date, offset or north have changed.
 class SunDays {
   public:
     const SunDay& of(const SunState& sun);

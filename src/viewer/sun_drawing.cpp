@@ -11,7 +11,7 @@ constexpr OverlayColor ground = {255, 255, 255, 120};
 constexpr OverlayColor groundEdge = {40, 36, 20, 90};
 constexpr OverlayColor needle = {205, 60, 45, 255};
 
-/// Places on the sphere around the scene, as far as they are before the eye.
+/// Draws places on the sphere around the scene, if they are in front of the eye.
 class SpherePen {
   public:
     SpherePen(OverlayDrawing& drawing, const ViewState& state, const Stage& stage)
@@ -29,7 +29,7 @@ class SpherePen {
     }
 
   private:
-    /// `place`: from the sphere's middle, in radii.
+    /// `place`: relative to the sphere's middle, in radii.
     std::optional<glm::dvec2> seen(const glm::dvec3& place) const {
         const glm::dvec3 at = handles_.middle() + handles_.sphereRadius() * place;
         if (view_.depthOf(at) <= 0.0) return std::nullopt;

@@ -7,8 +7,8 @@
 
 namespace edgeshade::viewer {
 
-/// The sun's way through the day on the sphere that its handle is on, with a dot at every full
-/// hour, and the horizon with a needle to the north.
+/// The sun's path over the day on the sphere of its handle, with a dot at every full hour, and the
+/// horizon with a needle pointing north.
 OverlayTriangles sunTriangles(const SunDay& day, const ViewState& state, const Stage& stage);
 
 } // namespace edgeshade::viewer

@@ -5,7 +5,7 @@
 namespace edgeshade::viewer {
 namespace {
 
-/// Whether the sun's light is another than the sun put there.
+/// Whether the sun's light has been moved away from the sun's own direction.
 bool wasMoved(const ViewState& before, const ViewState& next) {
     return before.sun && next.sun == before.sun && !before.lights.empty() &&
            next.lights.front().position != before.lights.front().position;

@@ -4,12 +4,12 @@
 
 namespace edgeshade::viewer {
 
-/// The next state with its sun by place and time, if it has one, as its first light: where `before`
-/// had none, a sun that is first already becomes it, else one is put before the others. Who moves
-/// that light, or removes it, takes it from there: it is no sun by place and time any more.
+/// The next state, with its sun by place and time, if any, as the first light. If `before` had
+/// none, a directional light that is already first becomes the sun; otherwise the sun is inserted
+/// before the other lights. Moving or removing that light ends the sun by place and time.
 ViewState withSun(const ViewState& before, ViewState next);
 
-/// Whether the first light is a sun that is below the horizon and lights nothing.
+/// Whether the first light is a sun below the horizon, which lights nothing.
 bool sunIsDown(const ViewState& state);
 
 } // namespace edgeshade::viewer

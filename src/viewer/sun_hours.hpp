@@ -10,43 +10,44 @@
 
 namespace edgeshade::viewer {
 
-/// How far the hours of sun are counted.
+/// Progress of counting the hours of sunlight.
 struct SunHours {
     std::size_t counted = 0; ///< of the day's sun positions
-    std::size_t of = 0;      ///< 0: the sun doesn't rise that day
-    int step = 10;           ///< minutes that each stands for
+    std::size_t of = 0;      ///< 0: the sun doesn't rise on that day
+    int step = 10;           ///< minutes that each position stands for
 };
 
-/// Counts, for each pixel, the sun positions of a day that see its surface, a few between two
-/// frames, and shows them as colours: what `edgeshade sunhours` counts (docs/sunhours.md).
+/// Counts, for each pixel, the sun positions of a day from which its surface is lit, a few between
+/// two frames, and shows the counts as colours. `edgeshade sunhours` counts the same
+/// (docs/sunhours.md).
 class SunHoursCount {
   public:
     explicit SunHoursCount(const gl::Capabilities& capabilities) : counter_(capabilities) {}
 
-    /// What is seen now, drawn as `view`, and the day. Starts anew unless they are what they were;
-    /// the time of the day makes no difference.
+    /// Sets the scene, its view and the day. Restarts unless they are unchanged; the time of day
+    /// doesn't matter.
     void see(const SeenScene& seen, const FrameView& view, const SunState& sun, int step);
 
     bool wantsMore() const { return counted_ < positions_.size(); }
-    /// Whether there are hours to be shown.
+    /// Whether the hours can be shown.
     bool isComplete() const { return !positions_.empty() && !wantsMore(); }
 
-    /// Goes on by some positions. `renderer`: of exact volumes; `now`: seconds. Returns whether all
-    /// are counted. Throws Error.
+    /// Counts some more positions. `renderer`: for exact volumes; `now`: seconds. Returns whether
+    /// all are counted. Throws Error.
     bool advance(Renderer& renderer, GpuScene& scene, const LoadedScene& loaded, double now);
 
-    /// Draws what was counted into the framebuffer that is bound, before `background` (sRGB).
+    /// Draws the counts into the bound framebuffer, over `background` (sRGB).
     void draw(const glm::vec3& background);
 
-    /// Once all are counted: how many of them see a pixel, rows down; nothing: no surface is there.
-    /// Waits for the GL.
+    /// After all are counted: the number of positions that light a pixel, y down; empty where there
+    /// is no surface. Waits for the GL.
     std::optional<std::uint32_t> at(const glm::ivec2& pixel) const;
 
     SunHours progress() const { return {counted_, positions_.size(), step_}; }
     std::size_t bytes() const { return counter_.bytes(); }
 
   private:
-    /// By a row of colours.
+    /// Draws counts by a row of colours.
     struct Drawing {
         Drawing();
         WholePicture picture;
@@ -57,11 +58,11 @@ class SunHoursCount {
     CountingPace pace_;
     SeenScene seen_;
     std::optional<FrameView> view_;
-    SunState day_; ///< at its start
+    SunState day_; ///< the start of the day
     int step_ = 0;
     std::vector<hours::Position> positions_;
     std::size_t counted_ = 0;
-    std::optional<Drawing> drawing_; ///< once it is asked for
+    std::optional<Drawing> drawing_; ///< created at the first draw()
 };
 
 } // namespace edgeshade::viewer

@@ -11,7 +11,7 @@ using namespace std::chrono;
 
 constexpr double wholeTurn = 360.0;
 
-/// What `read` makes of a value; its error as one of the field.
+/// Applies `read` to a value; reports its error as an error of the field.
 template <class Read>
 auto readAs(const char* field, Read read) {
     try {

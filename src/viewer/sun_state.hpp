@@ -8,7 +8,7 @@
 
 namespace edgeshade::viewer {
 
-/// A sun that stands where it is seen from a place at a time.
+/// A sun at its position for a place and a time.
 struct SunState {
     sun::Place place;
     sun::LocalTime time;
@@ -17,20 +17,20 @@ struct SunState {
     bool operator==(const SunState&) const = default;
 
     sun::SunPosition position() const { return sun::sunPosition(place, time.instant); }
-    glm::dvec3 direction() const; ///< towards it, in the scene
+    glm::dvec3 direction() const; ///< towards the sun, in the scene
 };
 
 /// {"place": [latitude, longitude], "time": "2026-06-21T14:30+02:00", "north": degrees, -360 to
-/// 360}; what is missing is as in `base`, without which place and time are a must. null: none.
-/// Throws Error(usage) that names the field and its value.
+/// 360}; missing members are taken from `base`, without which place and time are required. null: no
+/// sun. Throws Error(usage) that names the field and its value.
 std::optional<SunState> sunFrom(const Field& field, const std::optional<SunState>& base);
 
 nlohmann::ordered_json toJson(const std::optional<SunState>& sun);
 
-/// Another time by the same clock, within the years that sun::localTimeFromText() takes.
+/// The sun at another time on the same clock, within the years that sun::localTimeFromText() takes.
 SunState movedBy(const SunState& sun, std::chrono::seconds seconds);
 
-/// The same within its day: after 24 h comes 0 h.
+/// The same, within the same day: after 24 h comes 0 h.
 SunState movedWithinDay(const SunState& sun, std::chrono::seconds seconds);
 
 } // namespace edgeshade::viewer

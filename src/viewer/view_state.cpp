@@ -78,7 +78,7 @@ int filterWidthFrom(const Field& field) {
     return width;
 }
 
-/// Minutes that divide a day.
+/// Reads minutes, which must divide a day.
 int stepFrom(const Field& field) {
     constexpr int day = 24 * 60;
     const int step = field.integer(1, day);
@@ -125,7 +125,7 @@ Json toJson(const SideSettings& side) {
             {"warp", wordOf(words::warp, side.warp)}};
 }
 
-/// The number as a person types it: 0.35, where the float nearest to it is 0.34999999.
+/// The number as a person types it, for example 0.35, whose nearest float is 0.34999999.
 double shortDecimal(float value) {
     return std::round(static_cast<double>(value) * 1e6) / 1e6;
 }
@@ -175,7 +175,7 @@ Json toJson(const ViewState& state) {
 ViewState changed(const ViewState& base, const Json& changes) {
     ViewState state = base;
     const Field root(Field::rootName, changes);
-    // The lights come first: they decide which can be chosen.
+    // The lights are read first: they limit the index of the chosen one.
     if (const auto lights = changes.is_object() ? changes.find("lights") : changes.end();
         lights != changes.end()) {
         state.lights = lightsFrom(Field("lights", *lights));

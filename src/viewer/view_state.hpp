@@ -11,13 +11,13 @@
 
 namespace edgeshade::viewer {
 
-/// How one side of the split is drawn.
+/// Drawing settings of one side of the split.
 struct SideSettings {
     ShadowMethod shadows = ShadowMethod::automatic;
     int mapSize = 2048;
     MultiplicityMethod multiplicity = MultiplicityMethod::plane;
     int maskScale = 1; ///< see RenderSettings: 1, 2 or 4
-    // As in ShadowMapSettings.
+    // See ShadowMapSettings.
     MapKind mapKind = MapKind::cube;
     int cascades = mostCascades;
     MapFilter filter = MapFilter::compare;
@@ -40,31 +40,32 @@ inline constexpr int mostAnimations = 1'000'000;
 inline constexpr double slowest = 0.1;
 inline constexpr double fastest = 10.0;
 
-/// Everything that a viewer shows and a user can change: what the address bar keeps.
+/// Everything that a viewer shows and a user can change. The address bar keeps it.
 struct ViewState {
     Camera camera;
     std::vector<Light> lights; ///< at least one once a scene is shown
     std::size_t chosenLight = 0;
-    std::size_t lightSamples = 64; ///< points of lights with an extent, at rest
-    std::size_t smooth = 1;        ///< pictures that the one at rest is the mean of
-    std::optional<SunState> sun;   ///< by place and time: the first light, see withSun()
-    bool dayPlays = false;         ///< its day
-    bool sunHours = false;         ///< the hours of sun of its day are shown, once nothing moves
-    int sunHoursStep = 10;         ///< minutes that a sun position stands for; divides a day
+    std::size_t lightSamples = 64; ///< points of lights with an extent, when nothing moves
+    std::size_t smooth = 1;        ///< number of pictures averaged when nothing moves
+    std::optional<SunState> sun;   ///< by place and time; it is the first light, see withSun()
+    bool dayPlays = false;         ///< the sun's day is playing
+    bool sunHours = false;         ///< show the hours of sunlight of its day when nothing moves
+    int sunHoursStep = 10;         ///< minutes per sun position; divides a day
     Shading shading = Shading::full;
     float ambient = 0.45f;                              ///< see RenderSettings
     float exposure = 0.0f;                              ///< EV, within mostExposure
     glm::vec3 background = RenderSettings().background; ///< behind the scene, sRGB 0..1
     GroundChoice ground;                                ///< beneath the scene
     bool castCutouts = false;                           ///< LoadedScene::cutoutsCast
-    bool culls = cullsByDefault; ///< Scene's, while no side is drawn from opposite-vertex records
-    SideSettings left;           ///< of the whole picture where there is no split
+    bool culls = cullsByDefault; ///< copied to Scene, unless a side is drawn from opposite-vertex
+                                 ///< records
+    SideSettings left;           ///< of the whole picture if there is no split
     SideSettings right{ShadowMethod::map};
     bool split = false;
     double splitAt = 0.5; ///< share of the width, 0..1
     DebugView debug = DebugView::none;
-    bool showLights = true;    ///< handles that lights are dragged by
-    std::size_t animation = 0; ///< which of the scene's is shown
+    bool showLights = true;    ///< show the handles that move lights
+    std::size_t animation = 0; ///< index of the scene's animation that is shown
     bool playing = false;
     double speed = 1.0; ///< of the animation, slowest..fastest
     double time = 0.0;  ///< of the animation, seconds
@@ -81,14 +82,14 @@ struct ViewState {
 ///  "pcf": 1|3|5|7, "warp": "rectilinear|non-orthogonal"}, "right": {…}, "split": false,
 ///  "split_at": 0.5, "debug": "none|volumes", "show_lights": true, "animation": 0, "playing":
 ///  false, "speed": 1, "time": 0}
-/// What a light is, light_state.hpp says.
+/// light_state.hpp describes a light.
 nlohmann::ordered_json toJson(const ViewState& state);
 
 /// The state's "camera".
 nlohmann::ordered_json toJson(const Camera& camera);
 
 /// `base` with the keys that `changes` has. Throws Error(usage) that names the key and the value if
-/// one is unknown, not finite or out of range; nothing is changed then.
+/// one is unknown, not finite or out of range; nothing has changed then.
 ViewState changed(const ViewState& base, const nlohmann::ordered_json& changes);
 
 } // namespace edgeshade::viewer

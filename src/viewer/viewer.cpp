@@ -36,22 +36,22 @@
 namespace edgeshade::viewer {
 namespace {
 
-/// Of frames while somebody asks for statistics, one of so many has its stages timed.
+/// One frame of this many has its stages timed, while statistics are queried.
 constexpr int framesPerStageFrame = 16;
 
-/// Of a frame, for building primitive maps where there are no threads.
+/// Milliseconds of a frame for building primitive maps where there are no threads.
 constexpr double buildingMs = 4.0;
 
 bool looksUp(const SideSettings& side) {
     return side.shadows == ShadowMethod::automatic || side.shadows == ShadowMethod::primitiveMap;
 }
 
-/// Whether anything of a side may be counted by volumes.
+/// Whether shadow volumes may be needed for a side.
 bool mayCount(const SideSettings& side) {
     return side.shadows == ShadowMethod::volumes || looksUp(side);
 }
 
-/// What of a state makes another picture, but for what is drawn over it.
+/// The part of a state that affects the picture, without its overlays.
 nlohmann::ordered_json pictureOf(const ViewState& state) {
     nlohmann::ordered_json json = toJson(state);
     json.erase("show_lights");
@@ -59,12 +59,12 @@ nlohmann::ordered_json pictureOf(const ViewState& state) {
     return json;
 }
 
-/// What hours of sun are counted by: `edgeshade sunhours` takes the same.
+/// Settings for counting hours of sunlight, the same as those of `edgeshade sunhours`.
 constexpr SideSettings hoursSide{ShadowMethod::volumes};
 
 } // namespace
 
-/// The viewer's insides: what is on the GPU can be thrown away and made anew from the rest.
+/// The viewer's internals. Everything on the GPU can be dropped and recreated from the rest.
 struct Viewer::Parts {
     struct Gpu {
         Gpu(const gl::Capabilities& capabilities_, const RenderSettings& settings)
@@ -87,11 +87,11 @@ struct Viewer::Parts {
         SidesLayout layout;
         Renderers renderers;
         Convergence convergence;
-        std::optional<SunHoursCount> hours; ///< while they are asked for
+        std::optional<SunHoursCount> hours; ///< empty unless the state shows them
         Smoothing smoothing;
-        Convergence sampleLights; ///< of the picture that is added next
+        Convergence sampleLights; ///< for the picture that smoothing adds next
         OverlayPass overlay;
-        std::unique_ptr<VolumeTintPass> tint; ///< made when it is first asked for
+        std::unique_ptr<VolumeTintPass> tint; ///< created at first use
         MultiplicityMethod tintMethod = MultiplicityMethod::plane;
         std::optional<GpuScene> scene;
     };
@@ -104,22 +104,22 @@ struct Viewer::Parts {
     DayClock dayClock;
     SunDays sunDays;
     std::optional<LoadedScene> loaded;
-    std::vector<AnimationTitle> animations; ///< of the loaded scene
+    std::vector<AnimationTitle> animations; ///< the loaded scene's
     std::optional<Animation> animation;     ///< the chosen one
     KeptLayers layers;
     LightRest rest;
     bool mapsPending = false; ///< a light may get a primitive map soon
     std::unique_ptr<Gpu> gpu; ///< null: the context is lost
     bool dirty = true;
-    std::size_t changes = 0; ///< counts those of the picture, while it is smoothed
-    std::size_t poses = 0;   ///< counts whatever of the scene has moved or changed
-    bool timed = false;      ///< somebody asked for statistics
+    std::size_t changes = 0; ///< counts changes of the picture, for smoothing
+    std::size_t poses = 0;   ///< counts movements and changes of the scene
+    bool timed = false;      ///< statistics have been queried
     bool unchecked = true;   ///< something new is drawn, which the GL may refuse
-    bool showsHours = false; ///< the last picture does
+    bool showsHours = false; ///< whether the last picture shows hours of sunlight
     RecentMean frameMs, planMs, poseMs;
     int timedFrames = 0;
     std::optional<StageMs> stageMs; ///< of the last frame whose stages were timed
-    std::optional<std::pair<glm::dvec4, EdgeCounts>> edgeCounts; ///< of that light
+    std::optional<std::pair<glm::dvec4, EdgeCounts>> edgeCounts; ///< for the light at this position
 
     std::unique_ptr<Gpu> makeGpu(const gl::Capabilities& capabilities) const;
     GpuScene uploaded(const LoadedScene& scene, const Gpu& on) const;
@@ -138,20 +138,20 @@ struct Viewer::Parts {
     const SideSettings& sideAt(std::size_t side) const {
         return side == 0 ? state.left : state.right;
     }
-    /// Whether the shadows of a side's lights with an extent are those of points.
+    /// Whether a side counts points for the shadows of lights with an extent.
     bool countsPoints(std::size_t side) const;
     SeenScene seenScene(const FrameView& view) const;
     CountedScene countedScene(const FrameView& view) const;
     void converge(double now);
     void seeHours(const FrameView& view);
     void countHours(double now);
-    /// What is seen, sampled there within the pixels (subpixelOffset()).
+    /// The view with samples at this offset within the pixels (subpixelOffset()).
     FrameView viewAt(const glm::dvec2& offset) const;
     std::array<Renderer*, 2> countingRenderers();
     void smooth(double now);
     void drawSides(const FrameView& view, Convergence& convergence, StageClock* stageClock);
     void groupCasters(FrameView& view);
-    /// Whether no volumes are counted for a side, but visible points asked.
+    /// Whether a side tests visible points instead of counting volumes.
     bool asksPoints(const SideSettings& side);
     const EdgeCounts& edgesNow();
 };
@@ -174,7 +174,7 @@ GpuScene Viewer::Parts::uploaded(const LoadedScene& scene, const Gpu& on) const 
     return made;
 }
 
-/// Uploads the layouts of shadow data that the state draws from, where they aren't there yet.
+/// Uploads the layouts of shadow data that the state draws from, if they are missing.
 void Viewer::Parts::addVolumesFor(const ViewState& of, Gpu& on) const {
     if (!loaded || !on.scene) return;
     for (const SideSettings* side : {&of.left, &of.right})
@@ -183,7 +183,8 @@ void Viewer::Parts::addVolumesFor(const ViewState& of, Gpu& on) const {
     if (of.sunHours) addVolumes(*on.scene, *loaded, on.recordsOf(hoursSide));
 }
 
-/// Makes what the next state needs before it becomes the state, so that a refusal changes nothing.
+/// Prepares everything that the next state needs before switching to it, so that a refusal changes
+/// nothing.
 void Viewer::Parts::adopt(const ViewState& wanted) {
     const ViewState next = withSun(state, wanted);
     if (next.animation != 0 && next.animation >= animations.size())
@@ -207,7 +208,7 @@ void Viewer::Parts::adopt(const ViewState& wanted) {
     const bool fromStart = rechosen && next.time == state.time;
     state = next;
     if (fromStart) state.time = 0.0;
-    Warnings known; // said when the scene came
+    Warnings known; // already reported when the scene was loaded
     if (rechosen) chooseAnimation(known);
     if (grounded) applyGround();
     if (cutOut) applyCutouts();
@@ -216,14 +217,14 @@ void Viewer::Parts::adopt(const ViewState& wanted) {
     dirty = true;
 }
 
-/// Reads the animation that the state names.
+/// Reads the animation that the state selects.
 void Viewer::Parts::chooseAnimation(Warnings& warnings) {
     animation.reset();
     if (state.animation >= animations.size()) return;
     animation = readAnimation(*loaded->document, warnings, animations[state.animation].index);
 }
 
-/// Places batches, cameras and lights as the animation has them at the state's time.
+/// Poses batches, cameras and lights by the animation at the state's time.
 void Viewer::Parts::applyPose() {
     if (!loaded) return;
     Stopwatch watch;
@@ -250,7 +251,7 @@ void Viewer::Parts::applyPose() {
     poseMs.add(1e3 * watch.lap());
 }
 
-/// Makes the ground, which is there in any case, the one that the state shows.
+/// Shows, hides or restyles the ground, which always exists.
 void Viewer::Parts::applyGround() {
     if (!loaded || !loaded->ground) return;
     const bool shown = state.ground.has_value();
@@ -261,10 +262,10 @@ void Viewer::Parts::applyGround() {
     if (shown == loaded->showsGround) return;
     loaded->showsGround = shown;
     if (!gpu || !gpu->scene) return;
-    gpu->scene->primitiveMaps.clear(); // who looks itself up is another
+    gpu->scene->primitiveMaps.clear(); // the set of surfaces that look up maps has changed
 }
 
-/// Has MASK surfaces cast, or not, where shadow is looked up.
+/// Makes MASK surfaces cast or not, where shadow is looked up.
 void Viewer::Parts::applyCutouts() {
     if (!loaded) return;
     loaded->cutoutsCast = state.castCutouts;
@@ -273,8 +274,8 @@ void Viewer::Parts::applyCutouts() {
     gpu->scene->primitiveMaps.clear();
 }
 
-/// Opposite-vertex records don't tell front from back: while they are drawn from, all is seen from
-/// both sides.
+/// Opposite-vertex records don't distinguish front from back: a side that draws from them shows all
+/// surfaces from both sides.
 void Viewer::Parts::applyCulling() {
     if (!loaded) return;
     const auto tellsFronts = [](const SideSettings& side) {
@@ -284,7 +285,7 @@ void Viewer::Parts::applyCulling() {
         state.culls && tellsFronts(state.left) && (!state.split || tellsFronts(state.right));
 }
 
-/// Forgets what was worked out for the batches where they were.
+/// Drops everything computed for the batches' old places.
 void Viewer::Parts::sceneMoved() {
     stage.bounds = worldBounds(loaded->scene);
     stage.framing = [this](double fovDegrees, double aspect, const glm::dvec3& direction) {
@@ -309,7 +310,7 @@ bool Viewer::Parts::asksPoints(const SideSettings& side) {
     return gpu->renderers.of(side, state).policyFor(sceneFactsOf(*gpu->scene)).asksPoints();
 }
 
-/// Puts the casters in groups that a stencil can count, and prepares the sides' techniques.
+/// Splits the casters into groups that a stencil can count, and prepares the sides' techniques.
 void Viewer::Parts::groupCasters(FrameView& view) {
     for (const SideSettings* side : {&state.left, &state.right}) {
         if (side == &state.right && !state.split) continue;
@@ -356,15 +357,15 @@ CountedScene Viewer::Parts::countedScene(const FrameView& view) const {
     return counted;
 }
 
-/// Counts further points of lights with an extent; the picture is drawn anew where they make it
-/// better.
+/// Counts more points of lights with an extent; requests another frame when they improve the
+/// picture.
 void Viewer::Parts::converge(double now) {
     if (dirty || !loaded || !gpu || !gpu->scene || !gpu->convergence.wantsMore()) return;
     dirty = gpu->convergence.advance(countingRenderers(), *gpu->scene, *loaded, now);
     unchecked = unchecked || dirty;
 }
 
-/// Of the sides that count points of lights.
+/// Renderers of the sides that count points of lights.
 std::array<Renderer*, 2> Viewer::Parts::countingRenderers() {
     std::array<Renderer*, 2> renderers{};
     for (std::size_t side = 0; side < (state.split ? 2u : 1u); ++side)
@@ -372,8 +373,8 @@ std::array<Renderer*, 2> Viewer::Parts::countingRenderers() {
     return renderers;
 }
 
-/// Adds another picture to the mean that is shown, its soft shadows counted for it, once the usual
-/// one is as good as it gets.
+/// Adds another picture to the displayed mean, with its own soft shadows, after the usual picture
+/// has fully converged.
 void Viewer::Parts::smooth(double now) {
     if (dirty || !gpu || !gpu->scene || !gpu->smoothing.wantsMore()) return;
     if (mapsPending || gpu->convergence.wantsMore()) return;
@@ -389,27 +390,27 @@ void Viewer::Parts::smooth(double now) {
     unchecked = unchecked || dirty;
 }
 
-/// Whether hours of sun are asked for, of which view and day.
+/// Starts, updates or ends the count of hours of sunlight.
 void Viewer::Parts::seeHours(const FrameView& view) {
     if (!state.sunHours) return gpu->hours.reset();
     if (!gpu->hours) gpu->hours.emplace(gpu->capabilities);
     gpu->hours->see(seenScene(view), view, *state.sun, state.sunHoursStep);
 }
 
-/// Counts further positions of the sun; the picture is drawn anew with the last one.
+/// Counts more positions of the sun; the last one triggers a redraw.
 void Viewer::Parts::countHours(double now) {
     if (dirty || !gpu || !gpu->scene || !gpu->hours || !gpu->hours->wantsMore()) return;
     dirty = gpu->hours->advance(gpu->renderers.of(hoursSide, state), *gpu->scene, *loaded, now);
     unchecked = unchecked || dirty;
 }
 
-/// Goes on with primitive maps for the lights that rest, if some side looks them up.
+/// Continues building primitive maps for resting lights, if a side looks them up.
 void Viewer::Parts::advanceMaps(double now) {
     rest.see(state.lights, now);
     const bool mayChange = dirty || mapsPending;
     mapsPending = false;
     if (!mayChange || !loaded || !gpu || !gpu->scene) return;
-    // What is see-through looks itself up where volumes are counted, too.
+    // See-through surfaces look maps up even where volumes are counted.
     const bool seeThrough = gpu->scene->seeThrough && state.shading == Shading::full;
     const auto takesMaps = [&](const SideSettings& of) {
         return looksUp(of) || (seeThrough && mayCount(of));
@@ -476,7 +477,7 @@ void Viewer::Parts::draw() {
     if (isUsual) groupCasters(view);
     const double planSeconds = watch.lap();
 
-    StageWatch stages; // waits, so such a frame says nothing of what one takes
+    StageWatch stages; // it waits, so its frames are excluded from the frame times
     const bool watched = timed && timedFrames++ % framesPerStageFrame == 1;
     StageClock* const stageClock = watched ? &stages : nullptr;
     if (showsHours)
@@ -490,7 +491,7 @@ void Viewer::Parts::draw() {
                           stage.height);
     if (state.showLights)
         gpu->overlay.draw(handleTriangles(state, stage), stage.width, stage.height);
-    // Asking waits for the GL in a browser; what worked once goes on working.
+    // Querying errors waits for the GL in a browser; a draw that worked once keeps working.
     if (unchecked) gl::requireNoError("drawing the view");
     unchecked = false;
     planMs.add(1e3 * planSeconds);
@@ -518,7 +519,7 @@ void Viewer::show(LoadedScene scene) {
     Parts& parts = *parts_;
     std::vector<AnimationTitle> animations;
     if (scene.document) animations = animationTitles(*scene.document);
-    // It is there in any case, so that it can be shown at any time.
+    // The ground is always added, so that it can be shown at any time.
     const GroundChoice ground =
         scene.ground || hasFloor(scene.scene) ? scene.ground : GroundChoice(Ground{});
     if (!scene.ground) addGround(scene, Ground{});

@@ -12,13 +12,13 @@
 
 namespace edgeshade::viewer {
 
-/// What was measured of the frames drawn lately, and what they were made of. Times are means over
-/// the last frames, 0 before the first.
+/// Measurements of the last frames and their contents. Times are means over the last frames, 0
+/// before the first.
 struct FrameStats {
-    double frameMs = 0.0;           ///< until the picture was there
-    double planMs = 0.0;            ///< of it, on the CPU before drawing
-    double poseMs = 0.0;            ///< besides, of one that shows another pose than the last
-    std::optional<StageMs> stageMs; ///< of the last frame whose stages were timed, one of 16
+    double frameMs = 0.0;           ///< until the picture was finished
+    double planMs = 0.0;            ///< part of frameMs: work on the CPU before drawing
+    double poseMs = 0.0;            ///< not in frameMs: posing, of a frame with a new pose
+    std::optional<StageMs> stageMs; ///< of the last frame whose stages were timed (one in 16)
     std::size_t triangles = 0;
     std::size_t edges = 0;
     std::size_t records = 0;
@@ -26,13 +26,14 @@ struct FrameStats {
     std::size_t shadowBytes = 0;
     std::size_t mapBytes = 0;
     std::size_t primitiveMapBytes = 0;
-    std::vector<LightMethod> lights; ///< how each one's shadows are made, on the left
+    std::vector<LightMethod> lights; ///< method of each light's shadows, on the left
 };
 
-/// How far soft shadows are: what each light with an extent is shown by.
+/// Progress of soft shadows: the points that stand for each light with an extent.
 struct LightPoints {
-    std::size_t shown = 0; ///< points; 0: its centre alone
-    std::size_t of = 0;    ///< once nothing has moved for a while; 0: no light has an extent
+    std::size_t shown = 0; ///< points; 0: only the light's centre
+    std::size_t of = 0;    ///< points in the end, when nothing has moved for a while; 0: no light
+                           ///< has an extent
 };
 
 /// {"shown", "of"}.
@@ -41,106 +42,106 @@ nlohmann::ordered_json toJson(const LightPoints& points);
 /// {"frame_ms", "plan_ms", "pose_ms", "triangles", "edges", "records", "silhouettes",
 /// "shadow_bytes",
 ///  "map_bytes", "primitive_map_bytes", "lights": [{"method", "why", "build_ms", "bytes"}, …],
-///  "stage_ms": {"ambient", "map", "silhouette", "rasterise", "lit"}}; the last one
-/// once it is known.
+///  "stage_ms": {"ambient", "map", "silhouette", "rasterise", "lit"}}; stage_ms only once known.
 nlohmann::ordered_json toJson(const FrameStats& stats);
 
-/// What a viewer draws with beyond what its state can change.
+/// Settings of a viewer that its state can't change.
 struct ViewerSettings {
-    RenderSettings render;             ///< without what SideSettings has, ambient and layout
-    std::optional<SidesLayout> layout; ///< nothing: the best that the context has
+    RenderSettings render;             ///< fields of SideSettings, `ambient` and `layout` are
+                                       ///< ignored
+    std::optional<SidesLayout> layout; ///< empty: the best that the context has
     DepthChoice depth;
-    /// Where primitive maps are built that aren't needed at once; null: by the viewer.
+    /// Builds primitive maps that aren't needed at once; null: the viewer builds them.
     std::shared_ptr<PrimitiveMapWorker> mapWorker;
-    /// chooseLights(), where the window has it; null: all lights are drawn with shadows.
+    /// chooseLights(), if the window provides it; null: all lights are drawn with shadows.
     void (*chooseLights)(FrameView&, std::optional<std::size_t>) = nullptr;
 };
 
-/// One viewer, the same in a window and in a browser: state, camera and light control, animation,
+/// The viewer, the same in a window and in a browser: state, camera and light control, animation,
 /// split and debug views. Needs a current GLES 2 / WebGL 1 context with depth and stencil; draws
-/// into the framebuffer bound when frame() is called. Knows nothing of windows and events.
+/// into the framebuffer bound when frame() is called. Has no access to windows and events.
 class Viewer {
   public:
-    /// Throws Error(unavailable) if the GL can't.
+    /// Throws Error(unavailable) if the GL lacks something.
     explicit Viewer(const gl::Capabilities& capabilities, const ViewerSettings& settings = {});
     ~Viewer();
     Viewer(const Viewer&) = delete;
     Viewer& operator=(const Viewer&) = delete;
 
-    /// Shows a scene and frames it. Throws Error; the scene shown before then stays.
+    /// Shows a scene and frames it. Throws Error; the previous scene then stays.
     void show(LoadedScene scene);
     bool hasScene() const;
 
-    /// The picture's size in pixels, at least 1x1, and how many of them a CSS or window pixel has.
+    /// The picture's size in pixels, at least 1x1, and the number of them per CSS or window pixel.
     void resize(int width, int height, double pixelRatio);
 
     const ViewState& state() const;
-    /// The state becomes `changed(state(), changes)`. Throws as it does, and Error(unavailable) for
-    /// settings that the GL can't draw; nothing is changed then.
+    /// Sets the state to `changed(state(), changes)`. Throws as that does, and Error(unavailable)
+    /// for settings that the GL can't draw; nothing has changed then.
     void change(const nlohmann::ordered_json& changes);
 
     void pointerDown(const Pointer& pointer);
     void pointerMove(const Pointer& pointer);
     void pointerUp(const Pointer& pointer);
-    /// `notches` > 0: towards what is under (x, y).
+    /// `notches` > 0: towards the point under (x, y).
     void wheel(double x, double y, double notches);
     void run(Command command);
 
-    /// The file's cameras in perspective, where they are now.
+    /// The file's perspective cameras, in their current poses.
     std::vector<FileCamera> cameras() const;
 
-    /// Names of the scene's animations; the state says by index which one is shown.
+    /// Names of the scene's animations; the state selects one by index.
     std::vector<std::string> animations() const;
 
     /// Length of that animation in seconds; 0: nothing moves.
     double animationSeconds() const;
 
-    /// Shadows of lights with an extent are hard while something moves, and become soft after that,
-    /// frame by frame.
+    /// Progress of soft shadows. Shadows of lights with an extent are hard while something moves,
+    /// then become soft, frame by frame.
     LightPoints lightPoints() const;
 
-    /// How many pictures, sampled here and there within their pixels, the last one is the mean of,
-    /// 0: it is the usual one; and of how many it will be, 0: the state asks for none.
+    /// Progress of antialiasing. `shown`: pictures averaged in the last frame, 0 for the usual
+    /// picture; `of`: pictures in the end, 0 if the state requests no smoothing.
     LightPoints smoothing() const;
 
-    /// How far the hours of sun that the state asks for are counted; nothing: it asks for none, or
-    /// nothing was drawn since. While something moves, the picture is the usual one.
+    /// Progress of the hours of sunlight; empty if the state doesn't show them, or nothing was
+    /// drawn since. While something moves, the usual picture is shown.
     std::optional<SunHours> sunHours() const;
 
-    /// Whether the last picture shows them.
+    /// Whether the last picture shows the hours of sunlight.
     bool showsSunHours() const;
 
-    /// How many of those positions see a pixel of a picture of hours, x and y as a Pointer's.
-    /// Nothing: the picture shows none, or no surface there. Waits for the GL.
+    /// Number of sun positions that light the surface at a pixel, in a picture of hours; x and y as
+    /// in Pointer. Empty if the picture shows no hours, or no surface there. Waits for the GL.
     std::optional<std::uint32_t> sunHoursAt(double x, double y) const;
 
-    /// The length of the scene's diagonal; 0: no scene, or one without a size.
+    /// The length of the scene's diagonal; 0: no scene, or one without size.
     double sceneSize() const;
 
-    /// Where the state's sun by place and time is, and when it rises and sets that day, see
-    /// sun_day.hpp; null where it has none.
+    /// Position, rise and set of the state's sun by place and time, see sun_day.hpp; null if it has
+    /// none.
     nlohmann::ordered_json sun() const;
 
-    /// Draws if anything has changed since the last call, the times of an animation and of a day
-    /// included; returns whether it drew. Builds primitive maps of lights that rest, in the
+    /// Draws if anything has changed since the last call, including the times of an animation and
+    /// of a day; returns whether it drew. Builds primitive maps of resting lights, in the
     /// background or, where there are no threads, for some milliseconds. `now`: seconds on a clock
     /// that only goes forward.
     bool frame(double now);
-    /// Something outside has changed, such as the window's contents: the next frame() draws.
+    /// Makes the next frame() draw, after a change outside, such as of the window's contents.
     void invalidate();
-    /// Whether the next frame() would draw, or go on with what a later one draws from: else a loop
+    /// Whether the next frame() would draw, or continue work for a later picture; otherwise a loop
     /// can sleep.
     bool wantsFrame() const;
 
-    /// From the first call on frames are timed until they are finished, which keeps the CPU waiting
-    /// for the GPU.
+    /// From the first call on, each frame is timed until it is finished, which keeps the CPU
+    /// waiting for the GPU.
     FrameStats stats() const;
 
-    /// The context was lost: everything on the GPU is forgotten, and nothing is drawn until
-    /// restoreGpu() has made it anew in a context that is current again. The lost context should
-    /// still be the current one; deleting has no effect in it.
+    /// Call it after the context was lost: it drops everything on the GPU, and nothing is drawn
+    /// until restoreGpu() has recreated it in a new current context. The lost context should still
+    /// be current; deleting has no effect in it.
     void forgetGpu();
-    /// Throws Error; there is nothing on the GPU then.
+    /// Throws Error; nothing is on the GPU then.
     void restoreGpu(const gl::Capabilities& capabilities);
 
   private:

@@ -2,9 +2,9 @@
 """Volumes and shadow maps against the oracle, on every model in ../shared/scenes.
 
     tests/bench/accuracy.py                 compares all scenes (an hour on two cores), then the table
-    tests/bench/accuracy.py --volumes       compares volumes alone; maps stay as they were
-    tests/bench/accuracy.py --table         docs/measured/accuracy.md from the results that are there
-    tests/bench/accuracy.py --take FOLDER   from reports of `compare` that were made by hand
+    tests/bench/accuracy.py --volumes       compares only volumes; keeps the results of maps
+    tests/bench/accuracy.py --table         docs/measured/accuracy.md from the stored results
+    tests/bench/accuracy.py --take FOLDER   from reports of `compare` that were made manually
 """
 
 import json
@@ -30,7 +30,7 @@ def compare(scene, settings):
 
 
 def condensed(full):
-    """A report without its views, which say little to a reader."""
+    """A report without its single views, which tell a reader little."""
     return [{key: value for key, value in result.items() if key != "by_view"}
             for result in full.get("results", [full])]
 

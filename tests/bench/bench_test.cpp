@@ -1,4 +1,4 @@
-// What is measured is what is drawn: times themselves are never judged.
+// Measurements are of the real pictures; the times themselves are never judged.
 
 #include "src/bench/bench.hpp"
 #include "src/bench/flythrough.hpp"
@@ -117,7 +117,7 @@ TEST(Bench, AMapIsKeptWhileTheLightRestsAndDrawnWhileItMoves) {
     EXPECT_GT(moving.results[1].stageMs.map, 0.0);
 }
 
-/// Remembers the stages and does nothing else.
+/// Records the stages and does nothing else.
 class StageList : public StageClock {
   public:
     explicit StageList(bool silhouette) : silhouette_(silhouette) {}
@@ -136,7 +136,7 @@ class StageList : public StageClock {
     bool inside_ = false;
 };
 
-/// The yard's picture, with a clock or none.
+/// The yard's picture, with or without a clock.
 std::vector<std::uint8_t> pictureOf(ShadowMethod shadows, StageClock* clock) {
     const LoadedScene loaded = yard();
     const gl::HeadlessContext context({64, 64});

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""What coarser casters save and what they get wrong, on models in ../shared/scenes: a table of
+"""Savings and errors of coarser casters, on models in ../shared/scenes: a table of
 docs/measured/casters.md.
 
     tests/bench/casters.py           measures, then the table
-    tests/bench/casters.py --table   the table from the results that are there
+    tests/bench/casters.py --table   the table from the stored results
 
 EDGESHADE names the program.
 """

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""What drawing costs, on models in ../shared/scenes: results, plots, and the tables of
+"""Cost of drawing, on models in ../shared/scenes: results, plots, and the tables of
 docs/measured/costs.md and claims.md.
 
     tests/bench/costs.py [PART...]      measures: flight, repeat, sizes, synthetic, tradeoff; all of them
-    tests/bench/costs.py --table        tables and plots from the results that are there
+    tests/bench/costs.py --table        tables and plots from the stored results
 
-EDGESHADE names the program, TIMING how it times (query, finish, processor).
+EDGESHADE names the program, TIMING the way of timing (query, finish, processor).
 """
 
 import json
@@ -42,14 +42,15 @@ THESIS_FIT = {"GTX 980 (thesis)": (8.437815e-4, 1.7681964e-3, 4.4036999e-3, -1.1
 
 
 def lamp(scene):
-    """A point light above and beside the scene's middle, as the thesis has one light a scene."""
+    """A point light above and beside the scene's middle, as in the thesis, which has one light per
+    scene."""
     camera, distance = framing(scene)
     diagonal = distance / 1.2
     return ",".join(str(c + diagonal * d) for c, d in zip(camera["to"], (0.25, 0.5, 0.2)))
 
 
 def condensed(full):
-    """A report without what is the same in every row."""
+    """A report without the values that are the same in every row."""
     for result in full.get("results", [full]):
         result["device"].pop("extensions", None)
     full.get("device", {}).pop("extensions", None)
@@ -78,7 +79,7 @@ def measure_flight():
 
 
 def measure_repeat():
-    """Whether ratios come out alike when measured again."""
+    """Whether ratios are the same when measured again."""
     path = SCENES / f"{REPEAT_SCENE}.glb"
     runs = [condensed(report("bench", path, *TIMING, *against(MAPS))) for _ in range(3)]
     rows = []
@@ -97,7 +98,7 @@ def measure_sizes():
 
 
 def by_edges(rows):
-    """Rows that differ in nothing but the number of edges as one, {number: ms}."""
+    """Merges rows that differ only in the number of edges: {number: ms}."""
     merged = {}
     for row in rows:
         key = (row["layout"], row["silhouette"], row["multiplicity"])
@@ -131,7 +132,7 @@ def stored(name):
 
 
 def note(data):
-    """Where the figures come from, a line."""
+    """One line on where the figures come from."""
     at = data["machine"]
     how = {"processor": "processor time on all cores", "finish": "waiting", "query": "the GPU's clock"}
     return (f"{at['renderer']}, {at['driver']}, {at['cores']} cores of {at['processor']}, "

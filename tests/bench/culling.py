@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""What is wrong, and what a frame costs, where backs of single-sided materials are culled: the tables
-of docs/measured/culling.md. Of small scenes made here and of models in ../shared/scenes.
+"""Wrong pixels and frame times where backs of single-sided materials are culled: the tables
+of docs/measured/culling.md. On small scenes made here and on models in ../shared/scenes.
 
     tests/bench/culling.py           measures, then the tables
-    tests/bench/culling.py --table   the tables from the results that are there
+    tests/bench/culling.py --table   the tables from the stored results
 
 EDGESHADE names the program.
 """
@@ -23,7 +23,7 @@ COUNTS = ("visible_pixels", "wrong_mask_pixels", "wrong_mask_beyond_1px", "wrong
 
 
 def box(low, high):
-    """The twelve triangles of a box, wound outwards; inwards where low and high change places."""
+    """The twelve triangles of a box, wound outwards; inwards if low and high are swapped."""
     corner = [[(high if i >> axis & 1 else low)[axis] for axis in range(3)] for i in range(8)]
     faces = ((0, 4, 6, 2), (1, 3, 7, 5), (0, 1, 5, 4), (2, 6, 7, 3), (0, 2, 3, 1), (4, 5, 7, 6))
     return [[corner[i] for i in of] for f in faces for of in ((f[0], f[1], f[2]), (f[0], f[2], f[3]))]
@@ -38,7 +38,7 @@ def floor(half, y):
 
 
 def glb(path, single, double=(), scale=(1, 1, 1)):
-    """A file of triangles of a single-sided and of a double-sided material, in one node."""
+    """A file of triangles with a single-sided and a double-sided material, in one node."""
     gltf = {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
             "nodes": [{"mesh": 0, "scale": list(scale)}], "meshes": [{"primitives": []}],
             "materials": [{"doubleSided": False}, {"doubleSided": True}],
@@ -75,7 +75,7 @@ def room():
 
 
 def sheets():
-    """Walls of two sheets each that coincide, and a roof of two."""
+    """Walls of two coinciding sheets each, and a roof of two."""
     corners = [[-1.8, 0, -1.5], [1.6, 0, -1.2], [1.7, 0, 1.5], [-1.5, 0, 1.3]]
     triangles = floor(4, -0.1) + furniture()
     for a, b in zip(corners, corners[1:]):
@@ -86,7 +86,7 @@ def sheets():
 
 
 def mixed():
-    """Rooms whose triangles are of either kind by turns, joined at their edges."""
+    """Rooms whose triangles alternate between the two kinds, joined at their edges."""
     walls = box([2, 2, 2], [-2, 0, -2]) + box([-0.8, 0.1, -0.8], [0.9, 1.2, 0.7])
     return floor(4, -0.1) + walls[::2], walls[1::2]
 
@@ -103,7 +103,7 @@ def made(folder):
 
 
 def single_sided(path, folder):
-    """A copy of a GLB none of whose materials is double-sided."""
+    """A copy of a GLB without double-sided materials."""
     data = path.read_bytes()
     length = struct.unpack("<I", data[12:16])[0]
     gltf = json.loads(data[20:20 + length])

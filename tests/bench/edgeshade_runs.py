@@ -1,4 +1,4 @@
-"""Runs the program and keeps what it measured: shared by the scripts here."""
+"""Runs the program and stores its measurements; shared by the scripts in this folder."""
 
 import datetime
 import json
@@ -16,8 +16,8 @@ PROGRAM = os.environ.get("EDGESHADE", str(ROOT / "build" / "release" / "edgeshad
 
 
 def report(*words):
-    """The JSON report of one call, in base shading where scenes are drawn and no other is asked
-    for, and of all surfaces from both sides: nearly all tables are of that."""
+    """The JSON report of one call. Where scenes are drawn, base shading is the default, and
+    surfaces are seen from both sides: nearly all tables use these settings."""
     if words[0] in ("bench", "compare") and not {"--synthetic", "--shading"} & set(words):
         words += ("--shading", "base")
     if words[0] in ("bench", "compare") and not {"--synthetic", "--cull"} & set(words):
@@ -28,12 +28,12 @@ def report(*words):
 
 
 def against(settings):
-    """The words of bench or compare that have other settings too."""
+    """The arguments of bench or compare for further settings."""
     return [word for setting in settings for word in ("--against", setting)]
 
 
 def machine():
-    """What the figures were taken on."""
+    """The machine on which the figures were measured."""
     model = next((line.split(":", 1)[1].strip()
                   for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines()
                   if line.startswith("model name")), platform.machine())
@@ -41,13 +41,14 @@ def machine():
 
 
 def told_of_models(program, variable, names):
-    """The same of models in ../shared/scenes."""
+    """The same, for models in ../shared/scenes."""
     return told_of(program, variable, [str(SCENES / f"{name}.glb") for name in names])
 
 
 def told_of(program, variable, words):
-    """The JSON that one of the tests' programs, a path in build/, tells of files or whatever it
-    takes; the environment's `variable` may name another build of it. Programs for node end in .cjs."""
+    """The JSON that one of the tests' programs, a path in build/, prints for files or other
+    arguments; the environment's `variable` may name another build of it. Programs for node end in
+    .cjs."""
     path = os.environ.get(variable, str(ROOT / "build" / program))
     run = ["node", path] if path.endswith(".cjs") else [path]
     done = subprocess.run([*run, *words], check=True, stdout=subprocess.PIPE)
@@ -55,8 +56,8 @@ def told_of(program, variable, words):
 
 
 def results_of(name, measured):
-    """What `measured` returns of the scenes, with the machine, kept as results; or, where the words
-    are --table, those that are there."""
+    """Results of `measured` for the scenes, with the machine, which it also stores; with --table,
+    the stored ones."""
     if sys.argv[1:2] == ["--table"]:
         return json.loads((RESULTS / f"{name}.json").read_text())
     results = {"machine": machine(), "scenes": measured()}
@@ -74,7 +75,7 @@ def percent(part, whole):
 
 
 def figure(value):
-    """Three digits that count: 0.00061, 2.31."""
+    """Three significant digits: 0.00061, 2.31."""
     return "0" if value == 0 else f"{value:.{max(0, 2 - exponent(value))}f}"
 
 
@@ -83,7 +84,7 @@ def exponent(value):
 
 
 def replace_between(path, name, text):
-    """Puts text between <!-- name: begin --> and <!-- name: end -->."""
+    """Replaces the text between <!-- name: begin --> and <!-- name: end -->."""
     path = ROOT / path
     old = path.read_text()
     begin, end = f"<!-- {name}: begin -->\n", f"<!-- {name}: end -->"

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""What each encoding takes in the file and at load, on every model in ../shared/scenes: a table of
+"""File size and load time of each encoding, on every model in ../shared/scenes: a table of
 docs/measured/encodings.md.
 
     tests/bench/encodings.py           measures, then the table
-    tests/bench/encodings.py --table   the table from the results that are there
+    tests/bench/encodings.py --table   the table from the stored results
 
 EDGESHADE names the program.
 """
@@ -20,7 +20,7 @@ REPEATS = 3
 
 
 def call_seconds(path, layout):
-    """Processor time of a call that reads, flattens, finds shadow data, uploads and draws next to
+    """Processor time of a call that reads, flattens, finds shadow data, uploads and draws almost
     nothing: the least of several."""
     def one():
         before = resource.getrusage(resource.RUSAGE_CHILDREN)

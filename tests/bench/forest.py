@@ -1,4 +1,4 @@
-"""A forest as glTF, drawn in code: a ground and one tree's mesh at many places, turned and scaled,
+"""A forest as glTF, drawn in code: a ground and one tree's mesh in many places, rotated and scaled,
 by EXT_mesh_gpu_instancing."""
 
 import json
@@ -34,7 +34,7 @@ def tree(sides, crowns):
 
 
 def write_forest(path, count, sides=12, crowns=6):
-    """Returns how many triangles a tree has."""
+    """Returns the number of a tree's triangles."""
     draw = random.Random(1)
     binary, views, accessors = b"", [], []
 

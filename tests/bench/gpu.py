@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""What a GPU makes of volumes, of the published records and of shadow maps, on every model in
+"""Performance on a GPU of volumes, of the published records and of shadow maps, on every model in
 ../shared/scenes: frames, wrong pixels, what filling costs.
 
     tests/bench/gpu.py frames [NAME...]    flies through those scenes, or all
     tests/bench/gpu.py compare [NAME...]   compares them with the oracle
-    tests/bench/gpu.py table               docs/measured/gpu.md from the results that are there
+    tests/bench/gpu.py table               docs/measured/gpu.md from the stored results
 
-What is not measured stays as it was. Frames take two minutes on a GPU, comparing four on 16 cores.
+Other results are kept. Frames take two minutes on a GPU, comparing four on 16 cores.
 
 EDGESHADE names the program.
 """
@@ -27,7 +27,7 @@ MAPS = {f"map {size}": f"shadows=map,map-size={size}" for size in MAP_SIZES}
 RECORDS = {"published": "layout=published", "all": "silhouette=all"}
 LOOKED_UP = {"primitive map": "shadows=primitive-map"}
 
-# What is flown through: who else draws, and how.
+# The compared methods of each flight, and further settings.
 FLIGHTS = {
     "resting": (RECORDS | MAPS | LOOKED_UP, ()),
     "moving": (RECORDS | MAPS, ("--light-moves",)),
@@ -69,7 +69,7 @@ def compared(scene):
 
 
 def ratio_table(results, light, ways):
-    """Whole frames with other ways over those with ours: above 1 ours are better."""
+    """Frame times of other methods over this project's: above 1 this project's are better."""
     lines = ["| scene | ours, ms | " + " | ".join(ways) + " |", "|" + " --- |" * (2 + len(ways))]
     columns = [[] for _ in ways]
     for scene, of in results.items():
@@ -140,12 +140,12 @@ def conditions(machine_, results):
 
 
 def take(what, scenes):
-    """Measures and keeps `what` of the scenes, one after the other."""
+    """Measures `what` for the scenes, one after another, and stores it."""
     measure = {"frames": flights, "compare": compared}[what]
     for scene in scenes or NAMES:
         measured = measure(scene)
         with open(__file__) as file:
-            fcntl.flock(file, fcntl.LOCK_EX)  # scenes may be compared side by side
+            fcntl.flock(file, fcntl.LOCK_EX)  # several scenes may be compared in parallel
             results = stored()
             results["machine"] = machine()
             results["scenes"].setdefault(scene, {})[what] = measured

@@ -11,20 +11,20 @@
 namespace edgeshade::bench {
 namespace {
 
-/// Settings with made-up costs and errors: each has a typical time and a typical error, frames and
-/// views are more or less costly for all of them, and either has noise.
+/// Settings with made-up costs and errors. Each has a typical time and a typical error; single
+/// frames and views are more or less costly for all of them, and both have noise.
 class MadeUp : public Measurer {
   public:
     struct Setting {
         double ms = 10.0;
-        double wrong = 100.0; ///< pixels of a view, typically
-        int alike = -1;       ///< as wrong as that one in every view
+        double wrong = 100.0; ///< typical number of wrong pixels in a view
+        int alike = -1;       ///< has the same errors as that setting in every view
     };
 
     MadeUp(std::vector<Setting> settings, double noise, unsigned seed)
         : settings_(std::move(settings)), noise_(noise), seed_(seed) {}
 
-    double secondsOfPreparing = 0.0, secondsOfFrame = 0.0, secondsOfView = 0.0; ///< of a setting
+    double secondsOfPreparing = 0.0, secondsOfFrame = 0.0, secondsOfView = 0.0; ///< per setting
     std::size_t framesDrawn = 0, viewsJudged = 0;
     std::vector<int> frameOrder;
 
@@ -53,7 +53,7 @@ class MadeUp : public Measurer {
         EXPECT_LE(share, 1.0);
     }
 
-    /// What measuring everything in full makes of all settings.
+    /// The Pareto front of all settings when everything is measured in full.
     std::vector<bool> frontInFull(const Effort& effort) const {
         std::vector<Trade> trades;
         for (std::size_t i = 0; i < settings_.size(); ++i) {
@@ -95,7 +95,7 @@ class MadeUp : public Measurer {
     double clock_ = 0.0;
 };
 
-/// As many as tradeoff has, of all speeds and errors; some draw the same as others.
+/// As many settings as tradeoff has, of all speeds and errors; some draw the same as others.
 std::vector<MadeUp::Setting> drawnSettings(unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> unit;
@@ -112,7 +112,8 @@ std::vector<MadeUp::Setting> drawnSettings(unsigned seed) {
     return settings;
 }
 
-// Of 600 seeds, 24,000 settings, two are dropped that full measuring puts on the front by a hair.
+// With 600 seeds and 24,000 settings, two settings are dropped that full measuring just puts on the
+// front.
 TEST(Halving, DropsNothingThatFullMeasuringPutsOnTheFront) {
     std::size_t dropped = 0, beaten = 0;
     for (unsigned seed = 0; seed < 60; ++seed) {
@@ -192,8 +193,7 @@ TEST(Halving, OfNothingThereIsNothing) {
 }
 
 TEST(Estimates, OfWhatWasDroppedAreByItsDominator) {
-    // The machine was twice as slow while the first frames were drawn, and its view was an easy
-    // one.
+    // The machine was twice as slow during the first frames, and their view was an easy one.
     const std::vector<Standing> standings = {
         {{{20.0, 20.0, 10.0, 10.0, 10.0}, {{10, 0, 1000}, {90, 0, 1000}}}, 4, std::nullopt},
         {{{30.0, 30.0}, {{30, 20, 1000}}}, 1, 0},
@@ -246,7 +246,7 @@ TEST(Confidence, TheMedianIsSeldomAboveItsBound) {
         EXPECT_LE(above, 40) << count; // of 25 expected at the most
     }
     EXPECT_EQ(medianBelow({}), 0.0);
-    EXPECT_EQ(medianBelow(std::vector{1.0, 3.0}), 3.0); // too few to say
+    EXPECT_EQ(medianBelow(std::vector{1.0, 3.0}), 3.0); // too few values to tell
 }
 
 TEST(Confidence, TheMeanIsSeldomAboveItsBound) {

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""What it costs to keep a mesh once for all its places, and to repeat it: the tables of
-docs/measured/instances.md, of forests drawn in code.
+"""Cost of keeping a mesh once for all its places against repeating it: the tables of
+docs/measured/instances.md, for forests drawn in code.
 
     tests/bench/instances.py           measures, then the tables
-    tests/bench/instances.py --table   the tables from the results that are there
+    tests/bench/instances.py --table   the tables from the stored results
 """
 
 import os
@@ -23,7 +23,7 @@ VIEW = ("--size", "960x540", "--shadows", "volumes", "--sun", "1,2,1")
 
 
 def run(*words):
-    """Seconds and the most memory, in MB, of one call."""
+    """Seconds and peak memory, in MB, of one call."""
     start = time.perf_counter()
     child = subprocess.Popen([PROGRAM, *map(str, words)], stdout=subprocess.DEVNULL,
                              stderr=subprocess.DEVNULL)
@@ -35,7 +35,7 @@ def run(*words):
 
 
 def frames(path, frame_count):
-    """Of both choices, frame by frame in one process."""
+    """Times of both choices, frame by frame in one process."""
     told = report("bench", path, *VIEW, "--frames", frame_count, "--instances", "shared",
                   "--against", "instances=repeated")
     shared, repeated = told["results"]

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Meshes of 1, 5 and 10 million triangles as files: what packing and drawing them takes, and memory. The table
-of docs/measured/large-scenes.md.
+"""Meshes of 1, 5 and 10 million triangles as files: time and memory for packing and drawing them.
+The table of docs/measured/large-scenes.md.
 
     tests/bench/large_scenes.py           measures, then the table
-    tests/bench/large_scenes.py --table   the table from the results that are there
+    tests/bench/large_scenes.py --table   the table from the stored results
 
 EDGESHADE names the program, GENERATED_MESH write_generated_mesh, built with the tests. Writes up to
 1.5 GB to a temporary folder.
@@ -27,7 +27,7 @@ SIZE, SUN = "1920x1080", ("--sun", "0.4,1,0.3")
 
 
 def run(*words):
-    """Seconds of the clock, the most memory that was taken at once, in bytes, and what was told."""
+    """Elapsed seconds, peak memory in bytes, and the output."""
     with tempfile.TemporaryFile() as told:
         start = time.monotonic()
         child = subprocess.Popen([*map(str, words)], stdout=told)

@@ -1,4 +1,4 @@
-"""The models that scripts here compare methods on, and lights for them."""
+"""The models on which scripts here compare methods, and lights for them."""
 
 import sys
 import tempfile
@@ -10,12 +10,12 @@ MODELS |= {name: SCENES / file for name, file in {
     "bunny": "bunny.draco.glb", "car": "car.draco.glb", "city": "city.draco.glb", "duck": "duck.glb",
     "engine": "engine.glb", "garden": "garden.draco.glb", "hospital": "hospital-electrical.glb",
     "oaktree": "oaktree.glb", "temple": "temple.glb", "truck": "truck.draco.glb"}.items()}
-LAMP_SHARE = 0.02  # of the scene's diagonal, the lamp's radius
+LAMP_SHARE = 0.02  # the lamp's radius as a share of the scene's diagonal
 SUN = ("--sun", "1,2,0.5", "--sun-angle", "2")
 
 
 def camera_of(path):
-    """Where a scene is seen from if nothing else is asked for."""
+    """The default camera of a scene."""
     with tempfile.TemporaryDirectory() as folder:
         return report("render", path, f"{folder}/x.png", "--size", "32x18")["camera"]
 
@@ -25,7 +25,8 @@ def middle_and_diagonal(path):
 
 
 def lights_for(path):
-    """A lamp above the scene and to the side of it, and a sun; both with an extent, in the last two words."""
+    """A lamp above the scene and to its side, and a sun; the last two arguments give each an
+    extent."""
     middle, diagonal = middle_and_diagonal(path)
     at = [m + diagonal * share for m, share in zip(middle, (0.3, 0.6, 0.2))]
     return {"lamp": ("--light", ",".join(f"{x:.6g}" for x in at), "--light-radius",
@@ -33,8 +34,8 @@ def lights_for(path):
 
 
 def lit_models(kept=()):
-    """Each model under a sun and under a lamp, without extents: the name of both, the path, which light, its
-    words. Not those whose names are in `kept`."""
+    """Each model under a sun and under a lamp, without extents: the name of both, the path, the
+    light, its arguments. Skips those whose names are in `kept`."""
     for name, path in MODELS.items():
         kinds = [kind for kind in ("sun", "lamp") if f"{name}, {kind}" not in kept]
         lights = lights_for(path) if kinds else {}

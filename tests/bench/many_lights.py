@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Lights scattered over scenes: frames by their number, of volumes, of some with shadows, of primitive
-maps, of shadow maps; and lights that reach nothing. The tables of docs/measured/many-lights.md.
+"""Lights scattered over scenes: frame times by their number, with volumes, with some shadows, with
+primitive maps, with shadow maps; and lights that reach nothing. The tables of
+docs/measured/many-lights.md.
 
     tests/bench/many_lights.py           measures, then tables
-    tests/bench/many_lights.py --table   tables from the results that are there
+    tests/bench/many_lights.py --table   tables from the stored results
 
 EDGESHADE names the program. Takes some minutes.
 """
@@ -19,7 +20,7 @@ ALL = "all with shadows"
 SETTINGS = {"4 of them": "shadowed-lights=4", "none of them": "shadowed-lights=0",
             "primitive maps": "shadows=primitive-map", "maps 256": "shadows=map,map-size=256"}
 AWAY = 500  # lights that reach nothing
-SEEN = 8    # beside so many that do
+SEEN = 8    # lights that reach something, beside those
 
 
 def bench(path, *words):
@@ -33,7 +34,7 @@ def row(told):
 
 
 def by_number(path):
-    """One call for each number, so that no more scenes are on the GPU at once than one number's."""
+    """One call for each number, so that the GPU never holds the scenes of more than one number."""
     rows = {}
     for count in COUNTS:
         told = bench(path, "--lights", count,
@@ -43,7 +44,7 @@ def by_number(path):
 
 
 def away(path):
-    """So many lights in a ring around the scene's middle, alone and with others far from it."""
+    """This many lights in a ring around the scene's middle, alone and with others far from it."""
     middle, size = middle_and_diagonal(path)
 
     def ring(count, radius):
@@ -67,8 +68,8 @@ def measured():
 
 
 def growth(rows, setting, of):
-    """The power of the number of lights that reach something by which it grows: least squares of the
-    logarithms, over numbers from 4 on; 1 is linear."""
+    """The exponent with which a time grows with the number of lights that reach something: least
+    squares of the logarithms, over numbers from 4 on; 1 is linear."""
     points = [(math.log(rows[str(count)][ALL]["reaching"]), math.log(rows[str(count)][setting][of]))
               for count in COUNTS if count >= 4 and rows[str(count)][setting][of] > 0]
     x, y = (sum(values) / len(points) for values in zip(*points))

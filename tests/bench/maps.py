@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Shadow maps of all kinds and filters, of a sun and of a lamp: wrong pixels, frames, bytes. The tables
-of docs/measured/maps.md and the picture docs/pictures/maps.png.
+"""Shadow maps of all kinds and filters, for a sun and a lamp: wrong pixels, frames, bytes. The
+tables of docs/measured/maps.md and the picture docs/pictures/maps.png.
 
     tests/bench/maps.py             measures, then tables and the picture
-    tests/bench/maps.py --rest      measures what results lack of it, scene by scene, then the same
-    tests/bench/maps.py --table     tables from the results that are there
-    tests/bench/maps.py --picture   the picture alone
+    tests/bench/maps.py --rest      measures what the results lack, scene by scene, then the same
+    tests/bench/maps.py --table     tables from the stored results
+    tests/bench/maps.py --picture   only the picture
 
 EDGESHADE names the program.
 """
@@ -24,13 +24,14 @@ from png_bytes import Picture, read_png, side_by_side, write_png
 SIZE, VIEWS, FRAMES = "240x135", 2, 2
 MAP = "shadows=map,map-size="
 
-# Of as many texels each: 1024 x 1024, and of lamps 6 x 512 x 512.
+# All with the same number of texels: 1024 x 1024, and for lamps 6 x 512 x 512.
 SUN = {"one map 1024": "1024", "PCF 3": "1024,pcf=3", "Poisson": "1024,filter=poisson",
        "VSM": "1024,filter=vsm", "ESM": "1024,filter=esm",
        "cascades 4 x 512": "512,map-kind=cascades", "cascades 4 x 512, Poisson": "512,map-kind=cascades,filter=poisson",
        "cascades 4 x 512, VSM": "512,map-kind=cascades,filter=vsm",
        "cascades 1 x 1024": "1024,map-kind=cascades,cascades=1",
-       # A lattice's nodes and the cut casters come on top. Moments take two texels: as many bytes.
+       # A lattice's nodes and the cut casters are extra. Moments take two texels per place, in as
+       # many bytes.
        "rectilinear warp 1024": "1024,map-kind=warped",
        "non-orthogonal warp 1024": "1024,map-kind=warped,warp=non-orthogonal",
        "rectilinear warp 1024, Poisson": "1024,map-kind=warped,filter=poisson",
@@ -44,7 +45,7 @@ LAMP = {"cube 6 x 512": "512", "PCF 3": "512,pcf=3", "Poisson": "512,filter=pois
 
 
 def case(path, light, contenders):
-    """Biases are tuned by `compare`, as a user would: the fewest wrong pixels over its views."""
+    """`compare` tunes biases, as a user would: the fewest wrong pixels over its views."""
     against = [word for of in contenders.values() for word in ("--against", MAP + of)]
     judged = report("compare", path, *light, "--size", SIZE, "--views", VIEWS, *against)["results"]
     tuned = [f"{MAP}{of},map-bias={result['settings']['map-bias']}"
@@ -62,7 +63,7 @@ def case(path, light, contenders):
 
 
 def measured():
-    """Written after each case: all of them take most of an hour."""
+    """Written after each case, since all of them take most of an hour."""
     kept = RESULTS / "maps.json"
     results = json.loads(kept.read_text())["scenes"] if sys.argv[1:2] == ["--rest"] and kept.exists() else {}
     for name, path, kind, light in lit_models(kept=tuple(results)):
@@ -87,7 +88,7 @@ def head(first):
 
 
 def table(results):
-    """Of each light the means over scenes, which weigh every scene alike, then all of them."""
+    """For each light the means over scenes, with equal weight for each scene, then all of them."""
     machine, scenes = results["machine"], results["scenes"]
     renderer = next(iter(scenes.values()))["renderer"]
     lines = [f"{machine['cores']} cores of {machine['processor']}, {machine['date']}, {renderer}, {SIZE}, "
@@ -107,7 +108,7 @@ def table(results):
 
 
 def below(pictures, gap=4):
-    """One picture of several as wide, from top to bottom."""
+    """Joins pictures of equal width into one, from top to bottom."""
     blank = [bytes([255] * len(pictures[0].rows[0]))] * gap
     rows = []
     for picture in pictures:
@@ -116,7 +117,7 @@ def below(pictures, gap=4):
 
 
 def draw_picture():
-    """The pavilion by every method, coarse enough to tell them apart."""
+    """The pavilion by every method, coarse enough to show their differences."""
     view = ("--size", "240x180", "--camera-from", "3.4,2.2,4.6", "--camera-to", "0.4,0.5,0.6", "--fov", "40")
     sun, lamp = ("--sun", "0.6,0.7,0.5"), ("--light", "0.4,2.1,0.9")
     rows = [

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Wrong pixels against the near plane's distance: one depth range, and depth slices
-(docs/method.md, C26 and C27). Writes docs/measured/near-plane.md's table and docs/pictures/near-ratio.svg.
+(docs/method.md, C26 and C27). Writes docs/measured/near-plane.md's table and
+docs/pictures/near-ratio.svg.
 
     tests/bench/near_ratio.py [SCENE]    the name of a model in ../shared/scenes, bunny.draco
 """
@@ -25,7 +26,7 @@ def lights_around(center, diagonal):
 
 
 def framing(scene):
-    """The camera that frames the scene, its target and the size of what it frames."""
+    """The camera that frames the scene, its target, and the size of its subject."""
     with tempfile.TemporaryDirectory() as folder:
         camera = report("render", scene, pathlib.Path(folder) / "a.png", "--size",
                         "64x36")["camera"]

@@ -7,11 +7,11 @@ namespace {
 
 const std::vector<Trade> trades = {
     {10.0, 0.001}, // exact and slow
-    {12.0, 0.001}, // as exact, slower
+    {12.0, 0.001}, // as exact, but slower
     {5.0, 1.0},    //
-    {5.0, 2.0},    // as fast, worse
+    {5.0, 2.0},    // as fast, but worse
     {2.0, 3.0},    //
-    {6.0, 1.5},    // beaten in both
+    {6.0, 1.5},    // worse in both
 };
 
 TEST(Pareto, TheFrontIsWhatNothingBeats) {

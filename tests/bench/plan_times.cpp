@@ -1,6 +1,6 @@
-// What the processor does for a frame before anything is drawn: finding what the picture shows, and
-// for a light that moves bounding the layers around it, over the flight of bench. No GL is needed.
-// `plan_times SCENE...` prints JSON.
+// Processor time for a frame before anything is drawn, over bench's flight: finding the visible
+// geometry and, for a moving light, bounding the layers around it. Needs no GL. `plan_times
+// SCENE...` prints JSON.
 #include "preprocess/base/stopwatch.hpp"
 #include "src/bench/flythrough.hpp"
 #include "src/scene/load.hpp"
@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 constexpr int frames = 24, turns = 8;
 constexpr double aspect = 16.0 / 9.0;
 
-/// Milliseconds since it began, by the wall clock and of all cores' time, each of `times`.
+/// Milliseconds since its start: elapsed, and of all cores, each a list of `times`.
 class Times {
   public:
     Json per(int times) {
@@ -31,7 +31,7 @@ class Times {
     std::clock_t start_ = std::clock();
 };
 
-/// What finding what a frame shows takes, the mean of a flight's.
+/// Time to find the visible geometry of a frame, the mean over a flight.
 Json viewTimes(const Scene& scene, const Box& bounds, const Light& light) {
     const bench::Flythrough flight(bounds, 50.0, aspect);
     Times times;
@@ -46,8 +46,8 @@ Json viewTimes(const Scene& scene, const Box& bounds, const Light& light) {
     return times.per(frames);
 }
 
-/// Likewise of bounding the layers around a light a little elsewhere each time, and the most that
-/// were told.
+/// The same for bounding the layers around a light that is elsewhere each time, and the largest
+/// bound found.
 Json layersOf(const Scene& scene, const Box& bounds, const Light& light) {
     LayerBound bound;
     std::size_t most = 0, groups = 0;

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""What the processor does for a frame before anything is drawn, on every model in ../shared/scenes: a
+"""Processor time for a frame before anything is drawn, on every model in ../shared/scenes: a
 table of docs/measured/gpu.md.
 
     tests/bench/plan_times.py           measures, then the table
-    tests/bench/plan_times.py --table   the table from the results that are there
+    tests/bench/plan_times.py --table   the table from the stored results
 
 PLAN_TIMES names the program, build/release/tests/bench/plan_times.
 """
@@ -26,7 +26,7 @@ def table(scenes):
 
 
 def pairs(values):
-    """By the wall clock, and of all cores' time."""
+    """Elapsed time, and that of all cores."""
     return " | ".join(f"{wall:.1f}, {work:.1f}" for wall, work in zip(values[::2], values[1::2]))
 
 

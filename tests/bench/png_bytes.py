@@ -1,4 +1,4 @@
-"""Pictures as the program writes them, read and put side by side with what Python has."""
+"""Reads pictures that the program has written and joins them, with Python's own library only."""
 
 import dataclasses
 import struct
@@ -22,7 +22,7 @@ def paeth(left, up, corner):
 
 
 def unfiltered(kind, row, previous, step):
-    """A row of the PNG's bytes without its filter (PNG 9.2)."""
+    """Removes the filter from a row of the PNG's bytes (PNG 9.2)."""
     for i in range(len(row)):
         left = row[i - step] if i >= step else 0
         corner = previous[i - step] if i >= step else 0
@@ -34,7 +34,7 @@ def unfiltered(kind, row, previous, step):
 
 
 def read_png(path):
-    """A picture of 8 bits a channel that isn't interlaced."""
+    """Reads a picture of 8 bits a channel that isn't interlaced."""
     data = path.read_bytes()
     place, packed = 8, b""
     while place < len(data):
@@ -67,7 +67,7 @@ def write_png(path, picture):
 
 
 def side_by_side(pictures, gap=4):
-    """In one row, with a white gap between them."""
+    """Joins pictures in one row, with a white gap between them."""
     step = pictures[0].channels
     white = b"\xff" * (gap * step)
     rows = [white.join(bytes(of.rows[y]) for of in pictures) for y in range(pictures[0].height)]

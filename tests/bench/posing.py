@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""What showing another pose costs: the tables of docs/measured/posing.md. Of a figure with a skin
-and a ball with morph targets, authored in code, and of the model with a skin in ../shared/scenes.
+"""Cost of showing another pose: the tables of docs/measured/posing.md. For a figure with a skin
+and a ball with morph targets, authored in code, and the model with a skin in ../shared/scenes.
 
     tests/bench/posing.py           measures natively and in Chromium, then the tables
-    tests/bench/posing.py --table   the tables from the results that are there
+    tests/bench/posing.py --table   the tables from the stored results
 
 In Chromium build/web is measured, which './run web --build-only' makes; 'npm ci' in web/ comes first.
 """
@@ -23,7 +23,7 @@ SIDES = ("volumes", "map 1024", "map 2048")
 
 
 def scenes(folder):
-    """Name and file of each; the authored ones are written anew."""
+    """Name and file of each scene; the authored ones are written each time."""
     for name, (kind, sides, rings) in AUTHORED.items():
         path = pathlib.Path(folder) / f"{name}.glb"
         subprocess.run([TOOLS / "write_moving_scene", kind, path, str(sides), str(rings)],

@@ -1,6 +1,6 @@
-// posing_times SCENE [ANIMATION]: what a frame costs that shows another pose than the last one,
-// stage by stage on the processor and as a whole in a viewer, by volumes and by a shadow map drawn
-// anew. Told as JSON; milliseconds, medians of all frames.
+// posing_times SCENE [ANIMATION]: cost of a frame with a new pose, stage by stage on the processor
+// and as a whole in a viewer, with volumes and with a shadow map that is redrawn. Prints JSON;
+// milliseconds, medians over all frames.
 #include "src/gl/headless_context.hpp"
 #include "src/scene/pose.hpp"
 #include "src/shadow/layers/layer_bound.hpp"
@@ -29,7 +29,7 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
-/// By name, in the order in which they came first.
+/// By name, in order of first appearance.
 struct Stages {
     std::vector<std::pair<std::string, std::vector<double>>> all;
 
@@ -47,7 +47,7 @@ struct Stages {
     }
 };
 
-/// Posing and what depends on it, without a GL.
+/// Posing and the stages that depend on it, without a GL.
 Json stagesOf(LoadedScene loaded, const Animation& animation) {
     Stages stages;
     for (int frame = 0; frame < frames; ++frame) {
@@ -77,7 +77,7 @@ Json stagesOf(LoadedScene loaded, const Animation& animation) {
     return stages.json();
 }
 
-/// Whole frames of a viewer: with another pose each, and with the same one.
+/// Whole frames of a viewer: with a new pose each, and with the same pose.
 Json framesOf(const LoadedScene& loaded, const gl::HeadlessContext& context, std::size_t animation,
               const Json& side) {
     viewer::Viewer viewer(context.capabilities());
@@ -89,7 +89,7 @@ Json framesOf(const LoadedScene& loaded, const gl::HeadlessContext& context, std
                    {"animation", animation},
                    {"left", side},
                    {"lights", {{sun.x, sun.y, sun.z, sun.w}}}});
-    static_cast<void>(viewer.stats()); // frames are waited for from now on
+    static_cast<void>(viewer.stats()); // from now on frames are timed until they are finished
     Stages stages;
     double now = 0.0;
     for (int frame = 0; frame < frames; ++frame) {
@@ -101,7 +101,7 @@ Json framesOf(const LoadedScene& loaded, const gl::HeadlessContext& context, std
     for (int frame = 0; frame < frames; ++frame) {
         viewer.invalidate();
         Stopwatch watch;
-        viewer.frame(now); // the light does not come to rest
+        viewer.frame(now); // the light never comes to rest
         stages.add("still_ms", watch.lap());
     }
     const viewer::FrameStats stats = viewer.stats();

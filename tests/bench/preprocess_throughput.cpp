@@ -1,6 +1,7 @@
-// Triangles a second of the preprocessor's steps, on one thread and on all, beside meshoptimizer's
-// adjacency of the same mesh in the same process. `preprocess_throughput SUBJECT...` prints JSON. A
-// subject is a file, or a generated mesh: grid:1000000, boxes:N, tangle:N.
+// Triangles per second of the preprocessor's steps, on one thread and on all, beside
+// meshoptimizer's adjacency of the same mesh in the same process. `preprocess_throughput
+// SUBJECT...` prints JSON. A subject is a file, or a generated mesh: grid:1000000, boxes:N,
+// tangle:N.
 #include "preprocess/gltf/gltf_reading.hpp"
 #include "preprocess/reading/flatten.hpp"
 #include "preprocess/volumes/plane_pair_data.hpp"
@@ -20,12 +21,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Runs of which the quickest counts; large meshes take seconds each.
+/// Number of runs, of which the quickest counts; large meshes take seconds each.
 int repeatsFor(std::size_t triangles) {
     return triangles > 2'000'000 ? 1 : 5;
 }
 
-/// Seconds of the processor that the quickest of several runs took.
+/// Processor seconds of the quickest of several runs.
 template <class Run>
 double secondsOf(int repeats, Run run) {
     std::clock_t least = std::numeric_limits<std::clock_t>::max();
@@ -37,7 +38,7 @@ double secondsOf(int repeats, Run run) {
     return static_cast<double>(least) / CLOCKS_PER_SEC;
 }
 
-/// The casters of the batch with the most of them.
+/// The casters of the batch that has the most of them.
 struct Subject {
     const Batch* batch = nullptr;
     Casters casters;
@@ -53,7 +54,8 @@ Subject subjectOf(const Scene& scene) {
     return subject;
 }
 
-/// Ours: weld, edges, plane-pair records; opposite-vertex records in place of the last.
+/// This project's steps: weld, edges, plane-pair records; opposite-vertex records in place of the
+/// last.
 Json ours(const Subject& subject, const Scene& scene) {
     BatchTopology topology;
     constexpr Threads one{1};
@@ -71,7 +73,7 @@ Json ours(const Subject& subject, const Scene& scene) {
     return {{"weld", weld}, {"edges", edges}, {"adapted", adapted}, {"published", published}};
 }
 
-/// All of it on all threads: seconds of the clock.
+/// Elapsed seconds of all steps on all threads.
 double onAllThreads(const Subject& subject, const Scene& scene) {
     using Clock = std::chrono::steady_clock;
     const int repeats = repeatsFor(subject.casters.indices.size() / 3);
@@ -105,8 +107,8 @@ Scene sceneOf(const std::string& word) {
                : generatedScene(word.substr(0, colon), std::stoul(word.substr(colon + 1)));
 }
 
-/// meshoptimizer's: one vertex for each position, then the opposite vertex of every triangle's
-/// every side (of one other triangle at most).
+/// meshoptimizer's steps: one vertex for each position, then for each side of each triangle the
+/// opposite vertex (of one other triangle at most).
 Json meshoptimizers(const Subject& subject) {
     const auto& positions = subject.batch->geometry->positions;
     const std::vector<std::uint32_t>& indices = subject.casters.indices;

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Primitive maps beside volumes and kept shadow maps, light at rest, on every model in
+"""Primitive maps beside volumes and kept shadow maps, with a resting light, on every model in
 ../shared/scenes: frames, wrong pixels, memory, time to build.
 
     tests/bench/primitive_maps.py           measures (a quarter of an hour on two cores), then the tables

@@ -1,5 +1,5 @@
-// What proposing silhouettes takes on one thread, and how many records are left, for a light at
-// rest and for balls around it. `proposal_times SCENE...` prints JSON.
+// Time to propose silhouettes on one thread, and the number of records that remain, for a resting
+// light and for balls around it. `proposal_times SCENE...` prints JSON.
 #include "src/scene/load.hpp"
 #include "src/shadow/lights/light.hpp"
 #include "src/shadow/silhouette/silhouette_list.hpp"
@@ -18,7 +18,7 @@ constexpr int repeats = 20;
 constexpr int runsARepeat = 10;                             // the clock ticks in microseconds
 constexpr double radii[] = {0.0, 0.001, 0.003, 0.01, 0.03}; // shares of the scene's diagonal
 
-/// One light and all batches.
+/// For one light and all batches.
 struct Found {
     double milliseconds = 0.0;
     std::size_t pairs = 0;

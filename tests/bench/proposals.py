@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""What proposing silhouettes takes, on every model in ../shared/scenes: docs/measured/proposals.md.
+"""Time to propose silhouettes, on every model in ../shared/scenes: docs/measured/proposals.md.
 
     tests/bench/proposals.py           measures, then the table
-    tests/bench/proposals.py --table   the table from the results that are there
+    tests/bench/proposals.py --table   the table from the stored results
 
 PROPOSALS names the program proposal_times, built with the tests; PROPOSALS_WEB the same for node,
 which `cmake --build --preset web --target proposal_times` builds.

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""What the plane-pair records leave of the published ones, and proposals of them, beside cube maps, on
+"""Plane-pair records against the published ones, and proposals of them, beside cube maps, on
 every model in ../shared/scenes: the tables of docs/measured/records.md.
 
     tests/bench/records.py           measures, then the tables
-    tests/bench/records.py --moving  measures lights that move alone; all else stays as it was
-    tests/bench/records.py --table   the tables from the results that are there
+    tests/bench/records.py --moving  measures only moving lights; keeps the other results
+    tests/bench/records.py --table   the tables from the stored results
 
 EDGESHADE names the program.
 """
@@ -22,15 +22,15 @@ FRAME_KEPT = ("frame_ms", "stage_ms", "vertex_runs", "bytes_gpu")
 FRAME_SIZE, FRAMES = "960x540", 8
 MAP_SIZES = (1024, 2048, 4096, 8192)
 
-# What the proposed records are measured against, as bench is asked for it.
+# Settings that the proposed records are measured against, as arguments of bench.
 AGAINST = {"all": "silhouette=all", "published": "layout=published"} | {
     f"map {size}": f"shadows=map,map-size={size}" for size in MAP_SIZES}
-# Of a light that moves also what the program chooses by itself.
+# For a moving light also the program's own choice.
 AGAINST_MOVING = AGAINST | {"auto": "shadows=auto"}
 
 
 def frames_of(path, others, *more):
-    """Frames by proposed records and all others, in one run."""
+    """Frame times with proposed records and all others, in one run."""
     told = report("bench", path, "--size", FRAME_SIZE, "--frames", FRAMES, "--timing", "processor",
                   *against(others.values()), *more)
     frames = {way: {key: result[key] for key in FRAME_KEPT}
@@ -52,7 +52,7 @@ def measured(scene):
 
 
 def measured_moving():
-    """The stored results with lights that move measured anew."""
+    """The stored results with moving lights measured again."""
     results = json.loads((RESULTS / "records.json").read_text())
     results["machine_moving"] = machine()
     for scene in NAMES:
@@ -82,8 +82,9 @@ def table(results):
 
 
 def frame_table(results, light):
-    """Times, runs and bytes of opposite-vertex records over those of plane-pair ones, proposed; for whole
-    frames of all plane-pair ones too. Above 1 proposed records are better."""
+    """Times, vertex runs and bytes of opposite-vertex records over those of proposed plane-pair
+    records; for whole frames also over all plane-pair records. Above 1 proposed records are
+    better."""
     lines = ["| scene | vertex runs | bytes on the GPU | silhouette stage | rasterise | whole frame "
              "| whole frame, all plane-pair records |",
              "|" + " --- |" * 7]
@@ -103,7 +104,7 @@ def frame_table(results, light):
 
 
 def map_table(results):
-    """Whole frames with cube maps over those with proposed records, a light at rest and a moving
+    """Frame times with cube maps over those with proposed records, for a resting light and a moving
     one."""
     lines = ["| scene | " + " | ".join(f"{size} x {size}" for size in MAP_SIZES) + " |",
              "|" + " --- |" * (1 + len(MAP_SIZES))]
@@ -123,7 +124,7 @@ def map_table(results):
 
 
 def stage_table(results):
-    """Where a frame's time goes."""
+    """The parts of a frame's time."""
     lines = ["| scene | frame, ms | ambient | silhouette | rasterise | lit | the same of published "
              "records |", "|" + " --- |" * 7]
     for scene, of in results["scenes"].items():
@@ -139,8 +140,8 @@ def stage_table(results):
 
 
 def auto_table(results):
-    """Whole frames with a moving light by others over those by volumes, and over those by what
-    --shadows auto draws."""
+    """Frame times of other methods with a moving light over those with volumes, and over those of
+    --shadows auto."""
     ways = ("published", *(f"map {size}" for size in MAP_SIZES))
     lines = ["| scene | auto draws by | volumes / auto | " + " | ".join(
         f"{way}: / volumes, / auto" for way in ways) + " |", "|" + " --- |" * (3 + len(ways))]

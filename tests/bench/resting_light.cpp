@@ -1,6 +1,6 @@
 // resting_light SCENE: frames of a viewer whose light is dragged for a second and then left alone,
-// told as JSON: {"frames": [{"at": s, "ms": .., "method": ".."}, ...]}. Time goes on as frames take
-// it; each is drawn anew, as by somebody who orbits.
+// printed as JSON: {"frames": [{"at": s, "ms": .., "method": ".."}, ...]}. Time passes as frames
+// take it; each frame is redrawn, as for somebody who orbits.
 #include "src/gl/headless_context.hpp"
 #include "src/viewer/viewer.hpp"
 
@@ -27,7 +27,7 @@ int main(int count, char** words) {
     viewer.resize(960, 540, 1.0);
     viewer.show(loadScene(words[1], std::nullopt));
     viewer.change({{"show_lights", false}});
-    static_cast<void>(viewer.stats()); // frames are waited for from now on
+    static_cast<void>(viewer.stats()); // from now on frames are timed until they are finished
     Json frames = Json::array();
     double now = 0.0;
     while (now < watched) {

@@ -4,8 +4,8 @@ lamp: wrong pixels, frames, bytes. The tables of docs/measured/rivals.md and the
 docs/pictures/rivals.png.
 
     tests/bench/rivals.py             measures, then tables and the picture
-    tests/bench/rivals.py --table     tables from the results that are there
-    tests/bench/rivals.py --picture   the picture alone
+    tests/bench/rivals.py --table     tables from the stored results
+    tests/bench/rivals.py --picture   only the picture
 
 EDGESHADE names the program.
 """
@@ -53,14 +53,14 @@ def measured():
     return {name: case(path, light) for name, path, _, light in lit_models()}
 
 
-# How much the light's rays, beside which is 1, go through the near plane. The last is below where ZP+
-# is given up.
+# Slope of the light's rays through the near plane, relative to 1 along it. At the last one ZP+ is
+# given up.
 TILTS = (1, 0.1, 0.01, 0.003, 0.0015, 0.0005)
 
 
 def leaves():
-    """Five hundred small triangles above the eye, around the near plane, and behind them a wall that
-    nothing of is clipped."""
+    """Five hundred small triangles above the eye, around the near plane, and behind them a wall of
+    which nothing is clipped."""
     chance = random.Random(2005)
     a, b, c, d = [[x, y, -6] for x, y in ((-4.5, -4.5), (4.5, -4.5), (4.5, 4.5), (-4.5, 4.5))]
     triangles = [[a, b, c], [a, c, d]]
@@ -71,7 +71,7 @@ def leaves():
 
 
 def near_plane():
-    """The eye among the shadows of leaves, whose outlines run through the near plane."""
+    """The eye among the shadows of leaves, whose outlines cross the near plane."""
     rows = {}
     with tempfile.TemporaryDirectory() as folder:
         path = glb(pathlib.Path(folder) / "leaves.glb", (), leaves())
@@ -110,7 +110,8 @@ def table(results):
 
 
 def means(results):
-    """Over all scenes and lights, each alike: of frames the geometric mean of ratios."""
+    """Means over all scenes and lights, with equal weights; for frame times the geometric mean of
+    ratios."""
     cases = [of["rows"] for of in results["scenes"].values()]
     lines = ["| shadows | mask wrong, % | beyond 1 px, % | image wrong, % | beyond 1 px, % | "
              "frame, of volumes' | least .. most |", "|" + " --- |" * 7]

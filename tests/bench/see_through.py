@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""What shadows on see-through surfaces and shadows of leaves cost, and how right they are: the tables
-of docs/measured/see-through.md. Of models in ../shared/scenes and of the scene that ships.
+"""Cost and accuracy of shadows on see-through surfaces and of shadows of leaves: the tables
+of docs/measured/see-through.md. On models in ../shared/scenes and on the scene that ships.
 
     tests/bench/see_through.py           measures, then the tables
-    tests/bench/see_through.py --table   the tables from the results that are there
+    tests/bench/see_through.py --table   the tables from the stored results
 
 EDGESHADE names the program.
 """
@@ -42,7 +42,7 @@ def changed(path, folder, change):
 
 
 def receivers_alone(material):
-    """The same triangles where the oracle sees them: they receive, and cast nothing."""
+    """The same triangles in a form that the oracle sees: they receive, and cast nothing."""
     material.update(alphaMode="MASK", alphaCutoff=0.0)
 
 

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Error against time of soft shadows: exact ones of N points, maps filtered alike everywhere, and
-percentage-closer soft shadows, of the same lamp and the same sun. The tables of
+"""Error against time of soft shadows: exact ones of N points, maps with a constant filter, and
+percentage-closer soft shadows, for the same lamp and the same sun. The tables of
 docs/measured/soft-shadows.md, the pictures docs/pictures/soft-shadows-*.png and the plot
 docs/pictures/soft-shadows.svg.
 
     tests/bench/soft_shadows.py             measures, then tables, pictures and plot
-    tests/bench/soft_shadows.py --table     tables and plot from the results that are there
-    tests/bench/soft_shadows.py --pictures  the pictures alone
+    tests/bench/soft_shadows.py --table     tables and plot from the stored results
+    tests/bench/soft_shadows.py --pictures  only the pictures
 
 EDGESHADE names the program.
 """
@@ -116,12 +116,12 @@ def table(results):
 
 
 def contact():
-    """A box that stands on the ground, and one just above it."""
+    """A box on the ground, and one just above it."""
     return floor(4, 0) + box([-1.2, 0, -0.5], [-0.2, 1.4, 0.5]) + box([0.5, 0.05, -0.5], [1.7, 0.35, 0.6])
 
 
 def chain():
-    """Occluders behind each other: a wide board over a narrow one, over a block."""
+    """Occluders above each other: a wide board over a narrow one, over a block."""
     return (floor(4, 0) + box([-1.1, 2, -1.1], [0.2, 2.05, 1.1]) + box([-0.5, 1, -0.5], [1, 1.05, 0.5])
             + box([0.3, 0, -0.3], [0.7, 0.3, 0.3]))
 
@@ -145,7 +145,7 @@ def draw_pictures():
 
 
 def pavilion(folder):
-    """A point for the sun, and a disc of 2 degrees."""
+    """A point-like sun, and a disc of 2 degrees."""
     view = ("--size", "480x360", "--camera-from", "2.6,1.7,5.2", "--camera-to", "0.7,0.35,1.2", "--fov", "40",
             "--sun", "0.6,0.7,0.5", "--smooth", "8")
     for light in ((), ("--sun-angle", "2", "--light-samples", "256")):

@@ -1,11 +1,11 @@
-"""Error against time as an SVG: one panel a case, both axes logarithmic."""
+"""Error against time as an SVG: one panel per case, both axes logarithmic."""
 
 import math
 
 PANEL, LEFT, TOP, COLUMNS = (300, 200), 56, 34, 2
 SERIES = {"looked up": ("#009e73", "N points, looked up"), "points": ("#0072b2", "N points, volumes"),
           "PCF": ("#999999", "map, PCF"),
-          "PCSS": ("#d55e00", "map, PCSS")}  # Okabe and Ito's colours
+          "PCSS": ("#d55e00", "map, PCSS")}  # colours by Okabe and Ito
 
 
 def series_of(name):

@@ -50,7 +50,7 @@ TEST(Statistics, WhatIsNoLineIsNotExplainedByOne) {
     EXPECT_NEAR(fittedLine(x, y).rSquared, 0.0, 1e-12);
 }
 
-// A machine that is up to three times slower in some turns, and disturbs one thing here and there.
+// A machine that is up to three times slower in some turns, and sometimes disturbs one measurement.
 TEST(Statistics, TimesInTurnsAreThoseOfTheQuickestTurn) {
     const std::vector<double> truth = {3.0, 4.0, 5.0};
     int measured = 0;

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""How many sun positions `sunhours` counts wrong, against the oracle, and what it takes beside
-Embree's rays: the tables of docs/measured/sun-hours.md. Of models in ../shared/scenes, one day seen
+"""Sun positions that `sunhours` counts wrong, against the oracle, and its time beside
+Embree's rays: the tables of docs/measured/sun-hours.md. On models in ../shared/scenes, one day seen
 from above and from the side.
 
     tests/bench/sun_hours.py           measures, then the tables
-    tests/bench/sun_hours.py --times   the times alone, what is wrong from the results that are there
-    tests/bench/sun_hours.py --table   the tables from the results that are there
+    tests/bench/sun_hours.py --times   only the times; errors are taken from the stored results
+    tests/bench/sun_hours.py --table   the tables from the stored results
 
 EDGESHADE names the program, EDGESHADE_SUN_RAYS tests/bench/sun_rays.cpp's.
 """
@@ -24,7 +24,7 @@ from edgeshade_runs import RESULTS, ROOT, SCENES, figure, percent, replace_betwe
 MODELS = {"city": "city.draco.glb", "temple": "temple.glb", "garden": "garden.draco.glb"}
 VIEWS = {"plan": ("--plan",), "from the side": ()}
 PLACE, DAY, STEP, SIZE = "48.14,11.57", "2026-03-21", 30, "480x360"
-RUNS = 3  # whole ones, of which the median is told
+RUNS = 3  # complete runs, of which the median is reported
 RAYS = os.environ.get("EDGESHADE_SUN_RAYS", str(ROOT / "build/release/tests/bench/sun_rays"))
 
 
@@ -50,7 +50,7 @@ def wrong_of(path, words, folder):
 
 
 def times_of(path, words, folder):
-    """Whole runs, and what sun_rays tells of counting and of Embree, in seconds."""
+    """Seconds of complete runs, and sun_rays' times for counting and for Embree."""
     runs = []
     for _ in range(RUNS):
         began = time.monotonic()

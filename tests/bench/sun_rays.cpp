@@ -1,11 +1,12 @@
-// sun_rays SCENE REPORT WIDTH HEIGHT: what `sunhours` took to count its positions, and what Embree
-// takes to trace them. REPORT is of `sunhours`, of a picture of that size. Told as JSON, seconds of
-// several turns, one after the other: {"upload_s": [..], "count_s": [..], "tree_s": [..],
-// "rays_s": [..], "rays": .., "lit_by_count": .., "lit_by_rays": ..}.
+// sun_rays SCENE REPORT WIDTH HEIGHT: time for `sunhours` to count its positions, and for Embree to
+// trace them. REPORT comes from `sunhours` for a picture of that size. Prints JSON, in seconds of
+// several turns, one after another:
+// {"upload_s": [..], "count_s": [..], "tree_s": [..], "rays_s": [..], "rays": .., "lit_by_count":
+// .., "lit_by_rays": ..}.
 //
-// Embree has one occlusion ray for each visible pixel and sun position, eight pixels at once, told
-// that rays are coherent, on all cores; where rays begin is found beforehand. Its answers are
-// floats', not the oracle's.
+// Embree traces one occlusion ray for each visible pixel and sun position, eight pixels at once,
+// flagged as coherent, on all cores; the rays' origins are found beforehand. Its answers are in
+// floats, unlike the oracle's.
 #include "src/gl/headless_context.hpp"
 #include "src/lab/all_cores.hpp"
 #include "src/lab/pixel_surfaces.hpp"
@@ -28,12 +29,12 @@ namespace {
 
 constexpr int turns = 5;
 constexpr std::size_t packet = 8, packetsAtOnce = 256;
-/// How far from its surface a ray begins, as a share of the scene's diagonal.
+/// Distance of a ray's origin from its surface, as a share of the scene's diagonal.
 constexpr float clear = 1e-5f;
 
 struct Place {
     glm::vec3 point;  ///< relative to the camera
-    glm::vec3 normal; ///< of the side that is seen
+    glm::vec3 normal; ///< on the visible side
 };
 
 Frustum frustumOf(const Json& camera, double aspect) {
@@ -49,7 +50,7 @@ Frustum frustumOf(const Json& camera, double aspect) {
     return frustum;
 }
 
-/// What each pixel shows, where it shows anything.
+/// The surface point of each pixel that shows one.
 std::vector<Place> placesOf(const lab::Oracle& oracle) {
     const lab::Question& question = oracle.question();
     const std::vector<lab::PixelSurface> surfaces = lab::pixelSurfaces(oracle, {});
@@ -69,7 +70,7 @@ std::vector<Place> placesOf(const lab::Oracle& oracle) {
     return places;
 }
 
-/// Embree's tree of what casts, with nothing asked of it but speed.
+/// Embree's tree of the casters, built for speed only.
 class Tree {
   public:
     explicit Tree(const std::vector<lab::EyeTriangle>& triangles)
@@ -100,7 +101,7 @@ class Tree {
     Tree(const Tree&) = delete;
     Tree& operator=(const Tree&) = delete;
 
-    /// How many of up to eight places the light from a direction of length 1 reaches.
+    /// How many of up to eight places a light from a direction of length 1 reaches.
     std::size_t lit(std::span<const Place> places, const glm::vec3& direction, float offset) const {
         alignas(32) int valid[packet] = {};
         RTCRay8 rays;

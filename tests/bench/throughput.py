@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""How quickly casters become records, on every model in ../shared/scenes and on generated meshes of
-1, 5 and 10 million triangles: tables of docs/measured/encodings.md.
+"""Speed of turning casters into records, on every model in ../shared/scenes and on generated meshes
+of 1, 5 and 10 million triangles: tables of docs/measured/encodings.md.
 
     tests/bench/throughput.py           measures, then the table
-    tests/bench/throughput.py --table   the table from the results that are there
+    tests/bench/throughput.py --table   the table from the stored results
 
 THROUGHPUT names the program preprocess_throughput, built with the tests.
 """
@@ -42,7 +42,7 @@ def table(results):
 
 
 def large_table(results):
-    """Of generated meshes; results of the code before are kept in a file of their own."""
+    """For generated meshes; results of the earlier code are kept in a separate file."""
     lines = ["| mesh | triangles | weld, ms | edges, ms | plane-pair records, ms | million triangles "
              "/ s | before | on all threads | meshoptimizer: weld and adjacency |",
              "|" + " --- |" * 9]

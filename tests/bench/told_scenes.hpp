@@ -8,12 +8,13 @@
 
 namespace edgeshade {
 
-/// Over a scene and to the side, as bench has its light.
+/// Above a scene and to its side, like bench's light.
 inline glm::dvec3 besideAndAbove(const Box& bounds) {
     return bounds.center() + glm::dvec3(0.3, 0.6, 0.2) * bounds.diagonal();
 }
 
-/// Prints a JSON array of what measured(path) tells of each of a program's words; the exit status.
+/// Prints a JSON array of measured(path) for each of a program's arguments; returns the exit
+/// status.
 inline int tellOfScenes(int count, char** words,
                         nlohmann::ordered_json (*measured)(const std::string& path)) {
     auto scenes = nlohmann::ordered_json::array();

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Whether the settings that `tradeoff` names keep their promise on scenes, frames and views that it never
-saw: 60 tries over scenes drawn by a seed. The table of docs/measured/tradeoff.md.
+"""Whether the settings that `tradeoff` recommends keep their promise on scenes, frames and views
+that it never saw: 60 tries over scenes drawn by a seed. The table of docs/measured/tradeoff.md.
 
     tests/bench/tradeoff_answers.py            measures, then the table; some twenty minutes
-    tests/bench/tradeoff_answers.py --table    the table from the results that are there
+    tests/bench/tradeoff_answers.py --table    the table from the stored results
 
 EDGESHADE names the program.
 """
@@ -19,7 +19,7 @@ from edgeshade_runs import PROGRAM, figure, percent, replace_between, report, re
 
 TRIES = 60
 SIZE, FRAMES, VIEWS, LARGEST_MAP = "160x90", 12, 12, 1024
-OTHER_VIEWS, OTHER_FRAMES = 24, 17   # 17 frames of a flight are none of its 12, but for the first
+OTHER_VIEWS, OTHER_FRAMES = 24, 17   # only the first of a flight's 17 frames is among its 12
 TIME_MARGIN = 1.1                    # of the budget, see below
 REFERENCE = "no shadows"
 
@@ -33,7 +33,7 @@ def box(low, high, inwards=False):
 
 
 def room(draw):
-    """A room, with furniture of boxes and some slats."""
+    """A room with furniture made of boxes, and some slats."""
     width, height, depth = draw.uniform(4, 9), draw.uniform(2.4, 4), draw.uniform(4, 9)
     triangles = box((0, 0, 0), (width, height, depth), inwards=True)
     for _ in range(draw.randrange(4, 30)):
@@ -45,7 +45,7 @@ def room(draw):
 
 
 def street(draw):
-    """Houses along streets, on flat ground."""
+    """Houses along streets on flat ground."""
     triangles = [[(-60, 0, -60), (-60, 0, 60), (60, 0, 60)], [(-60, 0, -60), (60, 0, 60), (60, 0, -60)]]
     pitch = draw.uniform(8, 16)
     for i in range(-4, 4):
@@ -59,7 +59,7 @@ def street(draw):
 
 
 def soup(draw):
-    """Loose triangles in the air over ground."""
+    """Loose triangles in the air above ground."""
     triangles = [[(-5, 0, -5), (-5, 0, 5), (5, 0, 5)], [(-5, 0, -5), (5, 0, 5), (5, 0, -5)]]
     size = draw.uniform(0.1, 0.6)
     for _ in range(draw.randrange(50, 1500)):
@@ -91,8 +91,8 @@ def write_glb(path, triangles):
 
 
 def taken(rows, budget, wrong, suffix="_below"):
-    """The row that docs/tradeoff.md says is taken; with suffix "" by what was measured instead of its
-    bounds."""
+    """The row that docs/tradeoff.md recommends; with suffix "" by the measured values instead of
+    their bounds."""
     def known(row):
         return row["frame_ms" + suffix], row["wrong_image_percent" + suffix]
 
@@ -103,7 +103,7 @@ def taken(rows, budget, wrong, suffix="_below"):
 
 
 def told_by_tradeoff(path, wrong):
-    """The report, also where nothing is to be taken, which ends with status 3."""
+    """The report, even if no setting is acceptable, which ends with status 3."""
     words = ["tradeoff", path, "--size", SIZE, "--frames", FRAMES, "--views", VIEWS, "--largest-map", LARGEST_MAP,
              "--timing", "processor", "--max-wrong-percent", wrong, "--report", "-"]
     done = subprocess.run([PROGRAM, *map(str, words)], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
@@ -113,21 +113,22 @@ def told_by_tradeoff(path, wrong):
 
 
 def pasted(options):
-    """--shadows map --map-size 512 as --against takes it."""
+    """Converts "--shadows map --map-size 512" to the form of --against."""
     words = options.split()
     return ",".join(f"{name[2:]}={value}" for name, value in zip(words[::2], words[1::2]))
 
 
 def demands(draw, rows, wrong):
-    """Three: errors alone, time alone, both; times from the fastest setting's to the slowest exact one's."""
+    """Three budgets: for errors, for time, for both; times range from that of the fastest setting
+    to that of the slowest exact one."""
     times = sorted(row["frame_ms"] for row in rows if row["pareto"])
     span = [times[0] * (times[-1] / times[0] * 1.4) ** draw.uniform(0.1, 1.0) for _ in range(2)]
     return [(None, wrong), (span[0], None), (span[1], 10 ** draw.uniform(-1.0, 1.0))]
 
 
 def checked(path, picks):
-    """Of each pick its wrong percent in views after those that tradeoff saw, and its time over the
-    reference's, in one process."""
+    """For each pick its wrong percent in views beyond those that tradeoff saw, and its time over
+    the reference's, in one process."""
     against = [word for text in ["shadows=none", *picks] for word in ("--against", text)]
     judged = report("compare", path, "--shading", "full", "--size", SIZE, "--views", VIEWS + OTHER_VIEWS,
                     *against)["results"][2:]
@@ -172,7 +173,7 @@ def measured_scene(seed, folder):
 
 
 def measured():
-    """Scenes until there are tries enough."""
+    """Draws scenes until there are enough tries."""
     scenes, tries, seed = [], 0, 1
     with tempfile.TemporaryDirectory() as folder:
         while tries < TRIES:

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""What `--weld-tolerance auto` chooses, closes and gets wrong, on every model in ../shared/scenes: the
-table of docs/measured/welding.md.
+"""Tolerances that `--weld-tolerance auto` chooses, edges that it closes, and its errors, on every
+model in ../shared/scenes: the table of docs/measured/welding.md.
 
     tests/bench/welding.py           measures, then the table
-    tests/bench/welding.py --table   the table from the results that are there
+    tests/bench/welding.py --table   the table from the stored results
 
 EDGESHADE names the program.
 """

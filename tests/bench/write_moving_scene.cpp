@@ -1,4 +1,4 @@
-// Writes a scene that deforms, authored in code: the figure that walks or the ball that morphs.
+// Writes a scene that deforms, authored in code: a walking figure or a morphing ball.
 //
 //     write_moving_scene figure|ball FILE.glb SIDES RINGS
 //

@@ -1,4 +1,4 @@
-// Accessors and what primitives make of them.
+// Accessors, and their use in primitives.
 #include "tests/cli/bad_input.hpp"
 
 #include <limits>
@@ -6,7 +6,7 @@
 namespace edgeshade::test {
 namespace {
 
-/// The sound scene with a key of an accessor changed.
+/// The sound scene with one key of an accessor changed.
 BadInput withAccessor(const std::string& name, int accessor, const std::string& key,
                       const Json& value, const std::vector<std::string>& words) {
     return badScene(
@@ -32,7 +32,7 @@ BadInput withCoordinate(const std::string& name, float value, const std::string&
         {"POSITION", word, "element 0"});
 }
 
-/// The sound scene with a `sparse` member, changed, on its positions.
+/// The sound scene with a changed `sparse` member on its positions.
 BadInput withSparse(const std::string& name, const Json& change,
                     const std::vector<std::string>& words) {
     return badScene(

@@ -1,5 +1,5 @@
-// What is wrong with an animation before its keyframes are looked at: the channel is left out. The
-// rest is in tests/gltf/bad_animation_test.cpp.
+// Errors in an animation that are found before its keyframes are read: the channel is left out.
+// tests/gltf/bad_animation_test.cpp has the other errors.
 #include "tests/cli/bad_input.hpp"
 
 namespace edgeshade::test {
@@ -14,21 +14,21 @@ BadInput withAnimation(const std::string& name, const std::function<void(Json&)>
         name, [=](GltfBuilder& gltf) { change(gltf.json["animations"][0]); }, all));
 }
 
-/// The sound scene with a key of its sampler changed.
+/// The sound scene with one key of its sampler changed.
 BadInput withSampler(const std::string& name, const std::string& key, const Json& value,
                      const std::vector<std::string>& words) {
     return withAnimation(
         name, [=](Json& animation) { animation["samplers"][0][key] = value; }, words);
 }
 
-/// The sound scene with a key of its channel's target changed.
+/// The sound scene with one key of its channel's target changed.
 BadInput withTarget(const std::string& name, const std::string& key, const Json& value,
                     const std::vector<std::string>& words) {
     return withAnimation(
         name, [=](Json& animation) { animation["channels"][0]["target"][key] = value; }, words);
 }
 
-/// A picture at rest reads no keyframes.
+/// Uses only verbs that read keyframes, since a picture at rest reads none.
 BadInput inInfo(BadInput row) {
     row.verbs = {"info", "pack"};
     return row;

@@ -6,7 +6,7 @@
 namespace edgeshade::test {
 namespace {
 
-/// A scene compressed by Draco whose primitive is changed.
+/// A scene compressed by Draco, with its primitive changed.
 BadInput
 withDraco(const std::string& name,
           const std::function<void(GltfBuilder&, Json& primitive, Json& extension)>& change,
@@ -34,7 +34,7 @@ BadInput withStream(const std::string& name, const std::function<Bytes(Bytes)>& 
                      {dracoExtension});
 }
 
-/// A scene compressed by meshopt with a key of the first view's extension changed.
+/// A scene compressed by meshopt, with one key of the first view's extension changed.
 BadInput withMeshopt(const std::string& name, const std::string& key, const Json& value,
                      const std::vector<std::string>& words) {
     return badBytes(

@@ -1,4 +1,4 @@
-// Files that are no GLB, or a broken one.
+// Files that are no GLB, or a broken GLB.
 #include "tests/cli/bad_input.hpp"
 
 #include <random>
@@ -52,7 +52,7 @@ std::uint32_t jsonLength() {
 } // namespace
 
 std::vector<BadInput> badContainers() {
-    const std::size_t binary = 20 + jsonLength(); // where the second chunk begins
+    const std::size_t binary = 20 + jsonLength(); // start of the second chunk
     return {
         {"MissingFile",
          [](const TempFolder& folder) { return folder / "gone.glb"; },

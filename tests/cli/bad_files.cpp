@@ -6,7 +6,7 @@
 namespace edgeshade::test {
 namespace {
 
-/// The sound scene as .gltf whose buffer has this uri.
+/// The sound scene as .gltf, with this uri of its buffer.
 BadInput withUri(const std::string& name, const std::string& uri,
                  const std::vector<std::string>& words) {
     return {name,
@@ -17,8 +17,8 @@ BadInput withUri(const std::string& name, const std::string& uri,
             words};
 }
 
-/// The sound scene as .gltf whose buffer has this uri, the first part of which is a link to
-/// `target`. There is a good buffer in the folder above.
+/// The sound scene as .gltf, with this uri of its buffer, whose first part is a link to `target`.
+/// The folder above contains a good buffer.
 BadInput withLink(const std::string& name, const std::string& uri, const std::string& target,
                   const std::vector<std::string>& words) {
     BadInput row = withUri(name, uri, words);
@@ -30,7 +30,7 @@ BadInput withLink(const std::string& name, const std::string& uri, const std::st
     return row;
 }
 
-/// The sound scene with a key of the view of its positions changed.
+/// The sound scene with one key of the positions' view changed.
 BadInput withView(const std::string& name, const std::string& key, const Json& value,
                   const std::vector<std::string>& words) {
     return badScene(

@@ -12,7 +12,7 @@ BadInput withSampler(const std::string& name, const std::string& key, int value,
         name, [=](GltfBuilder& gltf) { gltf.json["samplers"][0][key] = value; }, words);
 }
 
-/// The sound scene with a plain picture of 512x512 pixels in a file of its own.
+/// The sound scene with a plain picture of 512x512 pixels in a separate file.
 std::filesystem::path withLargeImage(const TempFolder& folder) {
     GltfBuilder gltf = soundScene();
     gltf.json["images"][0] = {{"uri", "large.png"}};

@@ -1,6 +1,6 @@
-// Bad inputs, run through the real program: it says what is wrong in one sentence that names the
-// file, ends with status 2, and leaves nothing behind; or, where a scene can do without, it warns
-// in one sentence and draws the rest.
+// Bad inputs, given to the real program. It reports what is wrong in one sentence that names the
+// file, ends with status 2, and leaves nothing behind; or, if a scene can do without the faulty
+// part, it warns in one sentence and draws the rest.
 #include "preprocess/base/file_io.hpp"
 #include "tests/cli/bad_input.hpp"
 #include "tests/cli/documented.hpp"
@@ -26,7 +26,7 @@ std::vector<BadInput> wholeTable() {
 
 class BadInputTest : public testing::TestWithParam<BadInput> {};
 
-/// Runs the verb on the row's input, which lies in the folder.
+/// Runs the verb on the row's input in the folder.
 ProcessResult run(const BadInput& row, const std::string& verb, const TempFolder& folder,
                   const std::filesystem::path& input) {
     std::vector<std::string> arguments = {verb, input};
@@ -82,7 +82,7 @@ void expectWarned(const BadInput& row, const std::string& verb) {
     }
 }
 
-/// The row as the table in the documentation has it: of its first verb, the folder left out.
+/// The row as the documentation's table shows it: for its first verb, without the folder.
 std::string documentedRow(const BadInput& row) {
     const TempFolder folder;
     const ProcessResult result = run(row, row.verbs.front(), folder, row.make(folder));

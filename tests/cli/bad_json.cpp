@@ -1,4 +1,4 @@
-// JSON that is none, or that is no glTF.
+// Invalid JSON, and JSON that is not glTF.
 #include "preprocess/gltf/glb.hpp"
 #include "tests/cli/bad_input.hpp"
 
@@ -16,7 +16,7 @@ std::string nested(std::size_t depth) {
            std::string(depth, ']') + "}";
 }
 
-/// The sound scene with a name that is no UTF-8.
+/// The sound scene with a name that is not UTF-8.
 std::string inLatin1() {
     GltfBuilder gltf = soundScene();
     gltf.json["nodes"][0]["name"] = "caf?";

@@ -1,4 +1,4 @@
-// Files that ask for more than they may.
+// Files that exceed limits.
 #include "tests/cli/bad_input.hpp"
 
 namespace edgeshade::test {

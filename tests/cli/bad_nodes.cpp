@@ -4,7 +4,7 @@
 namespace edgeshade::test {
 namespace {
 
-/// The sound scene with a key of its node changed.
+/// The sound scene with one key of its node changed.
 BadInput withNode(const std::string& name, const std::string& key, const Json& value,
                   const std::vector<std::string>& words) {
     return badScene(
@@ -44,7 +44,7 @@ std::vector<BadInput> badNodes() {
         withNode("SkinOutOfRange", "skin", 99, {"skin", "99"}),
         badScene("ScaleOutOfTheRangeOfFloats",
                  [](GltfBuilder& gltf) {
-                     gltf.json.erase("animations"); // what moves by itself keeps its floats
+                     gltf.json.erase("animations"); // meshes that move keep their floats
                      gltf.json["nodes"][0]["scale"] = {1e60, 1e60, 1e60};
                  },
                  {"nodes[0]"}),

@@ -1,4 +1,4 @@
-// Cameras, lights and names that are broken: a scene is drawn without them.
+// Broken cameras, lights and names: a scene is drawn without them.
 #include "tests/cli/bad_input.hpp"
 
 namespace edgeshade::test {

@@ -1,4 +1,4 @@
-// Outputs that can't be written: status 4, one sentence that names the file, nothing half done.
+// Outputs that can't be written: status 4, one sentence that names the file, nothing half written.
 #include "tests/cli/message.hpp"
 #include "tests/support/gltf_builder.hpp"
 #include "tests/support/temp_folder.hpp"
@@ -12,7 +12,7 @@
 namespace edgeshade::test {
 namespace {
 
-/// A folder with a sound scene, and the verbs that write.
+/// A folder with a sound scene, and the writing verbs.
 class BadOutput : public testing::TestWithParam<std::string> {
   protected:
     BadOutput() {
@@ -81,7 +81,8 @@ TEST_P(BadOutput, AReadOnlyFolderIsNamed) {
 
 TEST_P(BadOutput, AFullDeviceIsNamed) {
     if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
-    // Through a link: a program that replaces what it should write into replaces only that.
+    // Through a link: a program that replaces its output instead of writing into it replaces only
+    // the link.
     std::filesystem::create_symlink("/dev/full", folder_ / "full");
     expectCantWrite(folder_ / "full", "full");
     EXPECT_TRUE(std::filesystem::is_symlink(folder_ / "full"));

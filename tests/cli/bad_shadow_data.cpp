@@ -1,5 +1,5 @@
-// Packed files whose shadow data were tampered with: reading them refuses. (`pack` makes them
-// anew, and `info` says what the geometry has.)
+// Packed files with tampered shadow data: reading refuses them. (`pack` rebuilds the data, and
+// `info` reports on the geometry.)
 #include "tests/cli/bad_input.hpp"
 #include "tests/support/packing.hpp"
 
@@ -65,7 +65,7 @@ std::vector<BadInput> badShadowData() {
         tampered("ShadowExtensionIsANumber", Encoding::none,
                  [](GlbParts&, Json& extension) { extension = 7; }, {}),
     };
-    // Where nothing sensible can be made of the extension, no verb goes on.
+    // For an extension that can't be interpreted, every verb refuses.
     for (std::size_t i = rows.size() - 3; i < rows.size(); ++i)
         rows[i].verbs = {"info", "pack", "render"};
     return rows;

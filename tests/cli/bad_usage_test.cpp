@@ -17,7 +17,7 @@ struct BadUsage {
     friend void PrintTo(const BadUsage& row, std::ostream* stream) { *stream << row.name; }
 };
 
-/// `render` with further arguments; `words` are they, if not given.
+/// `render` with further arguments; `words` default to them.
 BadUsage badRender(const std::string& name, const std::vector<std::string>& more,
                    const std::vector<std::string>& words = {}) {
     BadUsage row{name, {"render", "IN", "OUT"}, words.empty() ? more : words};
@@ -30,7 +30,7 @@ BadUsage sunAt(const std::string& name, const std::string& place, const std::str
     return badRender(name, {"--place", place, "--time-of-day", time}, words);
 }
 
-/// `render` with a sun by place and time that is right by itself.
+/// `render` with a valid sun by place and time.
 BadUsage atNoon(const std::string& name, const std::vector<std::string>& more,
                 const std::vector<std::string>& words = {}) {
     BadUsage row = badRender(name, more, words);
@@ -39,7 +39,7 @@ BadUsage atNoon(const std::string& name, const std::vector<std::string>& more,
     return row;
 }
 
-/// A verb with more lights than a picture has; the last one is a sun.
+/// A verb with more lights than a picture can have; the last one is a sun.
 BadUsage tooManyLights(const std::string& name, std::vector<std::string> verb) {
     for (int i = 0; i < 1000; ++i)
         verb.insert(verb.end(), {"--light", "1,2,3"});

@@ -1,5 +1,5 @@
-// Settings with other casters than the call's: the same as if they had been the call's own, while
-// the oracle goes on asking the surfaces.
+// Settings with different casters than the call's: the same as if they were the call's own, while
+// the oracle still uses the surfaces.
 #include "tests/support/child_process.hpp"
 #include "tests/support/packing.hpp"
 #include "tests/support/temp_folder.hpp"
@@ -30,7 +30,7 @@ std::vector<std::string> againstAll() {
     return words;
 }
 
-/// The pavilion, packed with a setting.
+/// The pavilion, packed with this setting.
 std::string packedWith(const TempFolder& folder, const std::string& setting) {
     const std::string file = folder / (setting + ".glb");
     const std::size_t equals = setting.find('=');
@@ -74,7 +74,8 @@ TEST(CoarserCasters, CompareAsksTheOracleOfTheSurfaces) {
     for (std::size_t i = 0; i < settings.size(); ++i) {
         SCOPED_TRACE(settings[i]);
         const Json& coarse = all["results"][i + 1];
-        // A weld tolerance moves what the oracle of the packed file sees, the others don't.
+        // A weld tolerance moves the geometry that the oracle of the packed file sees; the other
+        // settings don't.
         if (settings[i].starts_with("weld")) continue;
         const Json alone = reportOf("compare", packedWith(folder, settings[i]), {"--views", "2"});
         for (const char* key : {"visible_pixels", "wrong_mask_pixels", "wrong_image_pixels"})

@@ -1,4 +1,4 @@
-// Skins and morph targets in motion, against rays: render, compare and bench at a time of an
+// Moving skins and morph targets, against rays: render, compare and bench at a time of an
 // animation.
 #include "tests/support/child_process.hpp"
 #include "tests/support/moving_scenes.hpp"
@@ -30,7 +30,8 @@ class Deforming : public testing::Test {
         return Json::parse(bytes.begin(), bytes.end());
     }
 
-    /// Ten times, eight views each: no pixel is wrong for longer than its edge explains.
+    /// Ten times, eight views each: no pixel is wrong farther than a pixel from an edge, ties
+    /// apart.
     void expectMasksOfRays(const std::string& file, const std::string& animation,
                            std::vector<std::string> more = {}) {
         for (const std::string time :

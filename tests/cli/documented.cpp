@@ -29,7 +29,7 @@ void expectDocumented(const std::string& section, const std::vector<std::string>
     const std::size_t end = text.find("<!-- " + section + ": end -->");
     ASSERT_TRUE(marker < end && end != std::string::npos)
         << path << " lacks the section " << section;
-    // The table's own two first lines stay.
+    // Keeps the table's first two lines.
     std::size_t start = marker + begin.size();
     for (int line = 0; line < 2; ++line)
         start = text.find('\n', start) + 1;

@@ -1,5 +1,5 @@
-// What becomes of every extension: a scene that requires it is drawn by the real program, with it
-// and without. A new row is a call of row() with what puts the extension into a scene.
+// The treatment of every extension: the real program draws a scene that requires it, with and
+// without it. For a new row call row() with a function that puts the extension into a scene.
 #include "preprocess/gltf/extensions.hpp"
 #include "tests/cli/documented.hpp"
 #include "tests/cli/message.hpp"
@@ -20,7 +20,7 @@ namespace edgeshade::test {
 struct ExtensionRow {
     std::string name;
     std::function<Bytes()> scene; ///< requires the extension
-    bool sameWithout = false;     ///< of one that is drawn: the picture says nothing of it
+    bool sameWithout = false;     ///< for an extension that is drawn without a visible effect
     std::vector<std::string> options = {};
     std::vector<std::string> lights = {"--light", "2,6,5"};
 };
@@ -39,7 +39,7 @@ GltfBuilder texturedBox() {
     return gltf;
 }
 
-/// The box with the extension put into it by `change`.
+/// The box, with the extension added by `change`.
 ExtensionRow row(const std::string& name, const std::function<void(GltfBuilder&)>& change) {
     return {name, [=] {
                 GltfBuilder gltf = texturedBox();
@@ -49,7 +49,8 @@ ExtensionRow row(const std::string& name, const std::function<void(GltfBuilder&)
             }};
 }
 
-/// The extension on the box's texture, which has another image there, or none without it.
+/// The extension on the box's texture. It refers to another image; without it the texture has an
+/// image only if `hasOther`.
 ExtensionRow onTexture(const std::string& name, const Bytes& image, bool hasOther) {
     return row(name, [=](GltfBuilder& gltf) {
         const int source = gltf.addImage({{"uri", dataUri(image)}});
@@ -66,7 +67,7 @@ ExtensionRow onMaterial(const std::string& name, const Json& extension) {
     });
 }
 
-/// The extension on the box's material, a glossy dielectric that gives off some light.
+/// The extension on the box's material, a glossy dielectric that emits some light.
 ExtensionRow onGlossyMaterial(const std::string& name, const Json& extension) {
     return row(name, [=](GltfBuilder& gltf) {
         Json& material = gltf.json["materials"][0];
@@ -139,7 +140,7 @@ std::vector<ExtensionRow> compressionRows() {
     };
 }
 
-/// A spot of the file, before the box.
+/// A spot of the file, in front of the box.
 ExtensionRow litRow() {
     const std::string name = "KHR_lights_punctual";
     ExtensionRow lit = row(name, [=](GltfBuilder& gltf) {
@@ -220,7 +221,7 @@ std::vector<ExtensionRow> wholeTable() {
     return table;
 }
 
-/// Takes the extension out of all objects below.
+/// Removes the extension from all objects below.
 void eraseExtension(Json& json, const std::string& name) {
     if (!json.is_structured()) return;
     if (json.is_object() && json.contains("extensions")) json["extensions"].erase(name);
@@ -260,7 +261,7 @@ Drawing draw(const Bytes& glb, const ExtensionRow& row) {
     return drawing;
 }
 
-/// What the program says, the folder and the program's name left out.
+/// The program's output, without the folder and the program's name.
 std::string saidBy(const ProcessResult& result) {
     std::string said = result.status == 0 ? warningsOf(result) : messageOf(result);
     for (const std::string start : {"edgeshade: ", "warning: "})
@@ -287,7 +288,7 @@ bool lacksSomething(const std::string& name) {
     });
 }
 
-/// What knownExtensions() says becomes of it.
+/// The outcome according to knownExtensions().
 std::string wordFor(const std::string& name) {
     for (const KnownExtension& known : knownExtensions())
         if (name == known.name) return wordFor(known.use);
@@ -319,7 +320,7 @@ TEST_P(ExtensionTest, BecomesWhatIsSaid) {
     else
         EXPECT_EQ(with.picture, plain.picture);
     const bool named = said.find(row.name) != std::string::npos;
-    // A picture of KTX2 is named itself where there is no other one: see left_out_images.cpp.
+    // An image in KTX2 is named itself if there is no alternative: see left_out_images.cpp.
     EXPECT_EQ(named, lacksSomething(row.name)) << said;
 }
 

@@ -1,5 +1,5 @@
-// Lights with an extent, and smooth pictures, by the program: what reports say, and what is
-// refused.
+// Lights with an extent, and smooth pictures, in the program: the contents of reports, and
+// refusals.
 #include "src/image/decode.hpp"
 #include "tests/support/child_process.hpp"
 #include "tests/support/gltf_builder.hpp"
@@ -109,7 +109,7 @@ TEST_F(Extents, PointsReplayedAsHardLightsMakeTheMask) {
         for (std::size_t i = 0; i < sums.size(); ++i)
             sums[i] += one.rgba[4 * i] != 0;
     }
-    std::size_t different = 0; // where an edge passes through a pixel's middle
+    std::size_t different = 0; // where an edge crosses a pixel's centre
     for (std::size_t i = 0; i < sums.size(); ++i) {
         EXPECT_NEAR(mask.rgba[4 * i], 255.0 * sums[i] / 6.0, 43.0);
         different += mask.rgba[4 * i] != std::lround(255.0 * sums[i] / 6.0);
@@ -130,7 +130,7 @@ TEST_F(Extents, SmoothPicturesAverageShiftedOnes) {
                 many = picture({"--smooth", "16"});
     EXPECT_EQ(one.rgba, plain.rgba);
     EXPECT_NE(many.rgba, plain.rgba);
-    std::size_t apart = 0; // along outlines alone
+    std::size_t apart = 0; // only along outlines
     for (std::size_t i = 0; i < many.rgba.size(); i += 4)
         apart += std::abs(many.rgba[i] - plain.rgba[i]) > 3;
     EXPECT_GT(apart, 50u);

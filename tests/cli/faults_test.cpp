@@ -1,5 +1,5 @@
-// Faults from outside: a full disk, a folder that can't be written, signals, too little memory,
-// two programs at once. The output is the old file or the new one, and nothing is left beside it.
+// Faults from outside: a full disk, a read-only folder, signals, too little memory, two programs at
+// once. The output is the old file or the new one, and nothing else is left beside it.
 #include "preprocess/gltf/gltf_reading.hpp"
 #include "tests/cli/documented.hpp"
 #include "tests/cli/message.hpp"
@@ -22,16 +22,16 @@ const std::string program = EDGESHADE_PROGRAM;
 const std::string pavilion = std::string(EDGESHADE_ASSETS) + "/pavilion.glb";
 const std::string oldContent = "what was there before";
 
-/// A row of the table of faults: how it is brought about, checked, and what the table says of it.
+/// A row of the table of faults: how it is caused and checked, and its text in the table.
 struct Fault {
-    std::string name; ///< an identifier, as GoogleTest wants
+    std::string name; ///< an identifier, as GoogleTest requires
     std::string what;
     std::string ends; ///< "status 4", "signal", ...
     std::function<void()> check;
     friend void PrintTo(const Fault& row, std::ostream* stream) { *stream << row.name; }
 };
 
-/// Runs a line of the shell, in which $IN is a scene, $OUT a file with old content in an otherwise
+/// Runs a shell command line, in which $IN is a scene, $OUT a file with old content in an otherwise
 /// empty folder, and $EDGESHADE the program.
 ProcessResult shell(const TempFolder& folder, const std::string& line) {
     GltfBuilder gltf;
@@ -53,7 +53,7 @@ void expectOldFileAlone(const TempFolder& folder) {
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder / "out"), {}), 1);
 }
 
-/// Expects that the line ends with this status and one sentence, and the old file stays.
+/// Expects that the command ends with this status and one sentence, and that the old file stays.
 Fault refusal(const std::string& name, const std::string& what, int status, const std::string& line,
               const std::string& word) {
     return {name, what, "status " + std::to_string(status), [=] {
@@ -78,7 +78,7 @@ bool isPng(const std::filesystem::path& path) {
 
 using IsWhole = std::function<bool(const std::filesystem::path&)>;
 
-/// Signals at random moments of as many runs: the old file or a whole new one.
+/// Signals at random moments of many runs: the file is the old or a complete new one.
 Fault interruption(const std::string& name, const std::string& what, int signal,
                    const std::vector<std::string>& before, const std::vector<std::string>& after,
                    int longestMs, const IsWhole& isWhole) {
@@ -106,7 +106,7 @@ Fault interruption(const std::string& name, const std::string& what, int signal,
             }};
 }
 
-/// Several programs that write one output at once; those whose `kill` is set are killed on the way.
+/// Several programs that write one output at once; those whose `kill` is set are killed meanwhile.
 void packAtOnce(const std::vector<std::pair<std::string, bool>>& encodings) {
     const TempFolder folder;
     const auto output = folder.write("file", std::string_view(oldContent));
@@ -125,7 +125,7 @@ void packAtOnce(const std::vector<std::pair<std::string, bool>>& encodings) {
     EXPECT_EQ(folder.names().size(), 1u);
 }
 
-/// A disk that is truly full: a small one in memory, which only the program sees.
+/// A disk that is really full: a small one in memory, visible only to the program.
 void fillADisk() {
     const TempFolder folder;
     const ProcessResult result = shell(folder, R"(unshare -rm sh -c '
@@ -159,7 +159,7 @@ void takeMemoryAway() {
     expectOldFileAlone(folder);
 }
 
-/// A folder that may not be written into; for root, as somebody else.
+/// A folder without write permission; as root it runs as another user.
 void lockAFolder() {
     const TempFolder folder;
     for (const char* part : {".", "out", "in"}) {

@@ -1,4 +1,4 @@
-// --camera: the file's cameras, as render, compare, bench and info know them.
+// --camera: the file's cameras in render, compare, bench and info.
 #include "tests/support/child_process.hpp"
 #include "tests/support/gltf_builder.hpp"
 #include "tests/support/temp_folder.hpp"
@@ -153,7 +153,7 @@ TEST_F(FileCameras, AreComparedAndMeasured) {
             "--size", "64x48", "--report", folder_ / "report.json"};
         if (verb == std::string("bench")) arguments.insert(arguments.end(), {"--frames", "2"});
         const ProcessResult result = runEdgeshade(arguments);
-        if (result.status == 3) continue; // built without an oracle
+        if (result.status == 3) continue; // built without the oracle
         EXPECT_EQ(result.status, 0) << result.err;
     }
 }

@@ -1,4 +1,5 @@
-// Lights of the file and typed ones: --lights, --light and --sun with colours and intensities.
+// Lights of the file and from the command line: --lights, --light and --sun with colours and
+// intensities.
 #include "tests/support/child_process.hpp"
 #include "tests/support/gltf_builder.hpp"
 #include "tests/support/temp_folder.hpp"
@@ -8,7 +9,7 @@
 namespace edgeshade::test {
 namespace {
 
-/// A box, and so many spots of the file above it.
+/// A box with this many spots of the file above it.
 std::string sceneOfSpots(const TempFolder& folder, int count) {
     GltfBuilder gltf;
     gltf.addShapeNode(box(glm::vec3(1.0f)));

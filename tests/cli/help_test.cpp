@@ -68,7 +68,7 @@ TEST(Help, FitsAScreen) {
     }
 }
 
-/// The long names of a help's options, in their order.
+/// The long names of a help text's options, in their order.
 std::vector<std::string> optionsIn(const std::string& help) {
     std::vector<std::string> options;
     std::istringstream lines(help);

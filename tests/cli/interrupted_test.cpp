@@ -1,4 +1,4 @@
-// Being interrupted, and doing the same thing twice at once.
+// Interrupting the program, and running it twice at once.
 #include "preprocess/gltf/gltf_reading.hpp"
 #include "tests/support/child_process.hpp"
 #include "tests/support/gltf_builder.hpp"
@@ -15,8 +15,8 @@ namespace {
 
 const std::string pavilion = std::string(EDGESHADE_ASSETS) + "/pavilion.glb";
 
-/// Interrupts the program after each of some delays: it ends by the signal or was done already,
-/// and its output is whole or not there.
+/// Interrupts the program after several delays: it ends by the signal or has finished already, and
+/// its output is complete or missing.
 template <class IsWhole>
 void interruptAtSeveralDelays(int signal, const std::vector<std::string>& arguments, int longest,
                               IsWhole isWhole) {

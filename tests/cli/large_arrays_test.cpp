@@ -1,4 +1,4 @@
-// Large arrays begin at huge pages, small ones needn't; what can't be had is told.
+// Large arrays start at huge pages, small ones needn't; failed allocations are reported.
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <limits>
@@ -20,7 +20,7 @@ TEST(LargeArrays, BeginAtHugePagesAndHoldWhatIsWritten) {
         EXPECT_TRUE(isAligned(std::vector<char>(size).data())) << size;
 #endif
     std::vector<std::vector<std::uint8_t>> kept;
-    for (std::uint8_t i = 0; i < 8; ++i) // freed and taken anew in between
+    for (std::uint8_t i = 0; i < 8; ++i) // freed and allocated again in between
         for (const std::size_t size : {std::size_t{100}, 2 * hugePage + i}) {
             std::vector<std::uint8_t>(size, 0xEE);
             kept.emplace_back(size, i);

@@ -1,4 +1,4 @@
-// Images that are broken, missing or of a format that is not read.
+// Images that are broken, missing or of an unsupported format.
 #include "tests/cli/left_out.hpp"
 #include "tests/support/webp_encoding.hpp"
 
@@ -24,7 +24,7 @@ LeftOut withImage(const std::string& name, const Json& image,
         name, [image](GltfBuilder& gltf) { gltf.json["images"][0] = image; }, words);
 }
 
-/// An image that `pack` would put into the file, too.
+/// An image that `pack` would also put into the file.
 LeftOut withUri(const std::string& name, const std::string& uri,
                 const std::vector<std::string>& words) {
     LeftOut row = withImage(name, {{"uri", uri}}, words);
@@ -65,7 +65,7 @@ Bytes cutOff(Bytes image, std::size_t size) {
     return image;
 }
 
-/// A PNG whose header claims this many pixels a side: bits 16 to 23, and 8 to 15.
+/// A PNG whose header claims this many pixels per side: bits 16 to 23, and 8 to 15.
 Bytes pngOfSize(std::uint8_t high, std::uint8_t low = 0) {
     Bytes png = smallPng();
     png[17] = png[21] = high;
@@ -73,14 +73,14 @@ Bytes pngOfSize(std::uint8_t high, std::uint8_t low = 0) {
     return png;
 }
 
-/// A PNG of 2x2 pixels whose data has this many times 16 MiB by its own account.
+/// A PNG of 2x2 pixels whose header claims this many times 16 MiB of data.
 Bytes pngOfClaimedData(std::uint8_t high) {
     Bytes png = smallPng();
     png[33] = high; // bits 24 to 31 of the length of IDAT
     return png;
 }
 
-/// A JPEG that begins with `segments` and a table of 300 codes, and ends there.
+/// A JPEG that ends after `segments` and a table of 300 codes.
 Bytes crowdedJpeg(const Bytes& segments = {}) {
     Bytes jpeg = {0xFF, 0xD8};
     for (const std::uint8_t byte : segments)
@@ -92,7 +92,7 @@ Bytes crowdedJpeg(const Bytes& segments = {}) {
     return jpeg;
 }
 
-/// What every KTX2 file begins with.
+/// The signature of KTX2 files.
 Bytes ktx2() {
     return {0xAB, 'K', 'T', 'X', ' ', '2', '0', 0xBB, '\r', '\n', 0x1A, '\n', 0, 0, 0, 0};
 }
@@ -100,7 +100,7 @@ Bytes ktx2() {
 const std::vector<std::string> ktx2Words = {"images[0] is KTX2",
                                             "'gltf-transform ktxdecompress IN.glb OUT.glb'"};
 
-/// A texture that `extension` alone says the image of.
+/// A texture whose image only `extension` names.
 LeftOut byExtension(const std::string& name, const std::string& extension, const Bytes& bytes,
                     const std::vector<std::string>& words) {
     return changed(

@@ -1,5 +1,5 @@
-// What is left out with a warning, run through the real program: one sentence that names the file,
-// status 0, and the picture of the scene without it.
+// Parts that are left out with a warning, by the real program: one sentence that names the file,
+// status 0, and the picture of the scene without them.
 #include "tests/cli/left_out.hpp"
 
 #include "src/image/png.hpp"
@@ -17,7 +17,7 @@ constexpr std::size_t mostMemory = std::size_t{1} << 30; // a small file must no
 
 class LeftOutTest : public testing::TestWithParam<LeftOut> {};
 
-/// The lines of standard error that warn, without the word.
+/// The lines of standard error that warn, without the prefix.
 std::vector<std::string> warningsOf(const ProcessResult& result) {
     constexpr std::string_view start = "warning: ";
     std::vector<std::string> warnings;
@@ -48,7 +48,7 @@ Bytes pictureOf(const GltfBuilder& gltf) {
     return pictureOf(folder.write("scene.glb", gltf.glb()));
 }
 
-/// The sound scene, drawn with its material's factor.
+/// Picture of the sound scene with its material's factor.
 Bytes plainPicture() {
     GltfBuilder gltf = soundScene();
     gltf.json["materials"][0]["pbrMetallicRoughness"].erase("baseColorTexture");
@@ -87,7 +87,7 @@ void expectWarning(const LeftOut& row, const std::string& verb) {
     }
 }
 
-/// An image of these bytes in a view of the asset's.
+/// An image of these bytes in one of the asset's views.
 Json embeddedIn(GltfBuilder& gltf, const Bytes& image) {
     return {{"bufferView", gltf.addView(image)}, {"mimeType", "image/webp"}};
 }
@@ -111,7 +111,7 @@ std::vector<std::string> warningsAndPictureOf(const GltfBuilder& gltf, const Byt
     return warningsOf(result);
 }
 
-/// A floor below a sheet with holes, whose texture, of `png` or the same as WebP, is cut out.
+/// A floor below a sheet with holes, cut out by a texture as PNG or as the same WebP.
 GltfBuilder sheetWithHoles(bool png) {
     Bytes pixels;
     for (int i = 0; i < 8 * 8; ++i)
@@ -168,7 +168,7 @@ TEST(LeftOut, WhatNothingSamplesIsNeitherReadNorWarnedAbout) {
     const Json gone = {{"index", 1}}, nowhere = {{"index", 99}};
     gltf.addImage({{"uri", "gone.png"}});
     gltf.json["textures"].push_back({{"source", 1}});
-    // Of a material that is drawn, but not sampled, since nothing would come of it.
+    // A material that is drawn, but whose texture isn't sampled, since it would have no effect.
     Json& material = gltf.json["materials"][0];
     material["normalTexture"] = {{"index", 99}, {"scale", 0}};
     material["occlusionTexture"] = {{"index", "one"}, {"strength", 0}};
@@ -176,7 +176,7 @@ TEST(LeftOut, WhatNothingSamplesIsNeitherReadNorWarnedAbout) {
     material["extensions"] = {
         {"KHR_materials_clearcoat", {{"clearcoatTexture", gone}, {"clearcoatFactor", 0}}},
         {"KHR_materials_specular", {{"specularTexture", nowhere}, {"specularFactor", 0}}}};
-    // Of a material that no surface has, and of none.
+    // One material that no surface has, and one without a material.
     gltf.addMaterial({{"pbrMetallicRoughness", {{"baseColorTexture", gone}}}});
     gltf.addMaterial({{"pbrMetallicRoughness", {{"baseColorTexture", nowhere}}}});
     gltf.addImage({{"bufferView", 99}});
@@ -214,7 +214,7 @@ TEST(LeftOut, AWebpIsDrawnAsThePngOfItsPixels) {
 
 TEST(LeftOut, TheWebpOfAnExtensionComesFirst) {
     GltfBuilder gltf = withExtension("EXT_texture_webp", smallWebp());
-    gltf.json["images"][0] = {{"uri", "gone.png"}}; // not even looked for
+    gltf.json["images"][0] = {{"uri", "gone.png"}}; // never searched for
     EXPECT_TRUE(warningsAndPictureOf(gltf, soundPicture()).empty());
 }
 
@@ -261,7 +261,7 @@ TEST(LeftOut, TheOracleLeavesOutWhatIsLeftOutOfThePicture) {
                           "--size", "96x72", "--cast-masked", "--report", "-"});
         if (result.status == 3) GTEST_SKIP() << result.err;
         ASSERT_EQ(result.status, 0) << result.err;
-        // Of a hole's edge the oracle, which does not filter, knows little; of no holes it is
+        // The oracle, which does not filter, is unreliable at a hole's edge; without holes it is
         // right.
         const Json report = Json::parse(result.out);
         EXPECT_GT(report["visible_pixels"], 1000);

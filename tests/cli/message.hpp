@@ -8,8 +8,8 @@
 
 namespace edgeshade::test {
 
-/// The lines of its standard error that are warnings, or those that are not, without those that
-/// show progress and the last line's end.
+/// The lines of its standard error that are warnings, or those that aren't, without progress lines
+/// and the last line's end.
 inline std::string linesOf(const ProcessResult& result, bool warnings) {
     std::string lines;
     for (std::size_t start = 0; start < result.err.size();) {
@@ -22,12 +22,12 @@ inline std::string linesOf(const ProcessResult& result, bool warnings) {
     return lines;
 }
 
-/// What the program says about its failure.
+/// The program's message about its failure.
 inline std::string messageOf(const ProcessResult& result) {
     return linesOf(result, false);
 }
 
-/// What it warns of.
+/// The program's warnings.
 inline std::string warningsOf(const ProcessResult& result) {
     return linesOf(result, true);
 }

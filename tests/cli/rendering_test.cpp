@@ -1,4 +1,4 @@
-// `render`: pictures as the options ask, and the same one whatever way the data take.
+// `render`: pictures as the options request them, and the same picture for every path of the data.
 #include "src/image/decode.hpp"
 #include "tests/support/child_process.hpp"
 #include "tests/support/gltf_builder.hpp"
@@ -31,7 +31,7 @@ Bytes pictureOf(const std::string& scene, const std::vector<std::string>& more =
     return result.status == 0 ? readFile(folder / "picture.png") : Bytes();
 }
 
-/// The pavilion as drawn without options.
+/// The pavilion drawn without options.
 const Bytes& pavilionPicture() {
     static const Bytes picture = pictureOf(pavilion);
     return picture;
@@ -112,7 +112,7 @@ TEST(Rendering, TexelsAreLookedUpAsTheSamplerSays) {
     EXPECT_GT(coloursWith(9729), 50u) << "linear";
 }
 
-/// A Radiance picture of 4 x 2 pixels in one colour, whose bytes share an exponent.
+/// A Radiance picture of 4 x 2 pixels in one colour, which share an exponent.
 Bytes smallPanorama(std::uint8_t red, std::uint8_t green, std::uint8_t blue) {
     const std::string header = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n";
     Bytes bytes(header.begin(), header.end());
@@ -262,7 +262,7 @@ TEST(Rendering, ReportsSayHowEachLightsShadowsAreMade) {
         EXPECT_GT(light["bytes"], 0);
         EXPECT_GT(light["build_ms"], 0.0);
     }
-    // 3 x 256 x 256 texels of distances, and of depth.
+    // 3 x 256 x 256 texels of distances, and as many of depth.
     lights = lightsOf({"--shadows", "map", "--map-size", "256", "--map-kind", "cascades",
                        "--cascades", "3", "--sun", "0.1,1,0.2"});
     EXPECT_EQ(lights[0]["method"], "map");
@@ -495,10 +495,10 @@ TEST(Rendering, SimplifiedCastersOfAPackedFileCastWhatThoseMadeAtLoadCast) {
     EXPECT_TRUE(pictureOf(file, {"--layout", "published"}) ==
                 pictureOf(pavilion, {"--caster-error", "0.05", "--layout", "published"}));
     EXPECT_FALSE(pictureOf(pavilion, {}) == coarse);
-    // The tolerance of flat edges goes with the file too.
+    // The file also keeps the tolerance of flat edges.
     ASSERT_EQ(runEdgeshade({"pack", pavilion, file, "--flat-tolerance", "20"}).status, 0);
     EXPECT_TRUE(pictureOf(file, {}) == pictureOf(pavilion, {"--flat-tolerance", "20"}));
-    // What is drawn stays as it is.
+    // The picture without shadows stays the same.
     EXPECT_TRUE(pictureOf(file, {"--shadows", "none"}) ==
                 pictureOf(pavilion, {"--shadows", "none"}));
 }
@@ -534,7 +534,7 @@ TEST(Rendering, AVariantIsDrawn) {
 
     const Bytes own = pictureOf(scene), glass = pictureOf(scene, {"--variant", "glass"});
     EXPECT_NE(own, glass);
-    // What was packed casts otherwise; it is not used, and nobody needs to know.
+    // The packed data no longer fit these casters; they are not used, and no warning is needed.
     EXPECT_EQ(pictureOf(packedScene, {"--variant", "glass"}), glass);
     EXPECT_EQ(pictureOf(packedScene), own);
     const ProcessResult unknown = runEdgeshade(

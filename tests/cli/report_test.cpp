@@ -8,7 +8,7 @@
 namespace edgeshade::test {
 namespace {
 
-/// A folder with a scene of all sorts.
+/// A folder with a mixed scene.
 class Report : public testing::Test {
   protected:
     Report() : input_(folder_.write("in.glb", variedScene().glb())) {}

@@ -1,4 +1,4 @@
-// Files of ../shared/cases that once came out wrong: what is right was worked out by others.
+// Files of ../shared/cases that once gave wrong results; the expected results come from others.
 #include "tests/cli/message.hpp"
 #include "tests/support/gltf_builder.hpp"
 #include "tests/support/temp_folder.hpp"
@@ -94,7 +94,7 @@ TEST_F(SharedCases, WhatOfAnAnimationIsSoundIsPlayed) {
     Json still = Json::parse(text.begin(), text.end());
     still.erase("animations");
     still["nodes"][0]["rotation"] = {0.0, std::sqrt(0.5f), 0.0, std::sqrt(0.5f)};
-    still["nodes"][0]["translation"] = {2, 0, 0}; // of two keyframes at 1 s the later one goes on
+    still["nodes"][0]["translation"] = {2, 0, 0}; // of two keyframes at 1 s the later one continues
     const std::string turned = folder_.write("turned.gltf", std::string_view(still.dump()));
     const std::vector<std::string> camera = {"--camera-from", "4,5,7", "--camera-to", "0,0.5,0"};
     const Bytes expected = picture(turned, camera);

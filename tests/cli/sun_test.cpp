@@ -24,7 +24,7 @@ Words operator+(Words words, const Words& more) {
 
 class SunByPlace : public testing::Test {
   protected:
-    /// A post of 2 units on a floor, seen from above, -Z up in the picture: 10 pixels a unit.
+    /// A post of 2 units on a floor, seen from above with -Z up in the picture: 10 pixels per unit.
     ProcessResult plan(const Words& more) {
         return runEdgeshade(Words{"render", scene(), folder_ / "out.png", "--size", "160x160",
                                   "--ortho", "16", "--camera-matrix",
@@ -54,7 +54,7 @@ class SunByPlace : public testing::Test {
     TempFolder folder_;
 };
 
-/// Whether the mask is lit at a distance from the post in a compass direction, -Z being 0.
+/// Whether the mask is lit at this distance from the post in a compass direction (0 is -Z).
 bool litAt(const Image& mask, double distance, double clockwise) {
     const double x = distance * std::sin(glm::radians(clockwise));
     const double z = -distance * std::cos(glm::radians(clockwise));
@@ -132,7 +132,7 @@ TEST_F(SunByPlace, BelowTheHorizonLightsNothingAndSaysSo) {
     EXPECT_EQ(all["settings"]["sun"]["up"], false);
     ASSERT_EQ(all["warnings"].size(), 1u);
 
-    // The picture is that of ambient light alone: the same whatever the lamp that is no longer.
+    // The picture has only ambient light: it is the same whatever the lamp that the sun replaces.
     ASSERT_EQ(plan(night).status, 0);
     const Bytes dark = readFile(folder_ / "out.png");
     ASSERT_EQ(plan(night + Words{"--shadows", "none"}).status, 0);
@@ -152,7 +152,7 @@ TEST_F(SunByPlace, WithoutItNothingIsMeasured) {
     for (const Words& verb :
          {Words{"compare", scene()}, {"bench", scene()}, {"tradeoff", scene()}}) {
         const ProcessResult result = runEdgeshade(verb + night);
-        if (result.status == 3) continue; // built without an oracle
+        if (result.status == 3) continue; // built without the oracle
         EXPECT_EQ(result.status, 1);
         EXPECT_NE(result.err.find("--time-of-day: At 2026-06-21T01:00+02:00 the sun"),
                   std::string::npos)

@@ -1,4 +1,4 @@
-// sunhours and sunhours-merge: hours worked out by hand from geometry, splitting, bad usage.
+// sunhours and sunhours-merge: hours derived from geometry, splitting, bad usage.
 #include "tests/support/child_process.hpp"
 #include "tests/support/gltf_builder.hpp"
 #include "tests/support/temp_folder.hpp"
@@ -37,7 +37,7 @@ struct Counts {
     }
 };
 
-/// A box of the world, grown by `margin`, against a ray that starts outside of it.
+/// A box in the world, grown by `margin`, for a ray that starts outside it.
 struct Block {
     glm::dvec3 low, high;
 
@@ -66,7 +66,7 @@ class SunHours : public testing::Test {
     /// A floor of 16 x 16 at 0, facing up.
     std::string lawn() { return withBlocks("lawn.glb", {}); }
 
-    /// The same with boxes on it.
+    /// The same floor with boxes on it.
     std::string withBlocks(const std::string& name, const std::vector<Block>& blocks) {
         GltfBuilder gltf;
         gltf.addNode({{"mesh", gltf.addShape(box(glm::vec3(8.0f, 0.5f, 8.0f)))},
@@ -107,7 +107,7 @@ class SunHours : public testing::Test {
         return read;
     }
 
-    /// All positions' directions towards the sun.
+    /// Directions towards the sun of all positions.
     std::vector<glm::dvec3> directions() {
         std::vector<glm::dvec3> found;
         const Json all = report();
@@ -118,8 +118,8 @@ class SunHours : public testing::Test {
         return found;
     }
 
-    /// Each pixel of the floor, seen from above 10 pixels a unit, holds as many positions as rays
-    /// past the blocks find; those that touch one by a hair may count or not.
+    /// Each pixel of the floor, seen from above at 10 pixels per unit, counts the positions whose
+    /// rays miss the blocks; those that barely touch one may count or not.
     void expectHoursByHand(const std::vector<Block>& blocks) {
         const Counts drawn = counts();
         const std::vector<glm::dvec3> suns = directions();
@@ -148,7 +148,7 @@ class SunHours : public testing::Test {
         EXPECT_GT(checked, 15000u);
     }
 
-    /// From straight above, -Z up, 10 pixels a unit.
+    /// From straight above, -Z up, 10 pixels per unit.
     const Words fromAbove = {"--size", "160x160",         "--ortho",
                              "16",     "--camera-matrix", "1,0,0,0,0,0,1,0,0,-1,0,0,0,0,-20,1"};
     const Words equinox = {"--place", "48.14,11.57", "--date", "2026-03-21"};
@@ -176,7 +176,7 @@ TEST_F(SunHours, OfACourtyardAreThoseWorkedOutByHand) {
     ASSERT_EQ(run(scene, fromAbove + Words{"--at", "0,0,0,0,1,0", "--at", "0,2,3.5"}).status, 0);
     expectHoursByHand(walls);
 
-    // Its middle sees the sun above the wall: over 3 / max(|sin|, |cos|) of ground.
+    // The court's middle sees the sun above the wall: over 3 / max(|sin|, |cos|) of ground.
     std::size_t above = 0;
     const Json all = report();
     for (const auto& position : all["positions"]) {
@@ -192,14 +192,14 @@ TEST_F(SunHours, OfACourtyardAreThoseWorkedOutByHand) {
     EXPECT_GT(above, 10u);
     EXPECT_LT(above, 60u);
     EXPECT_EQ(probes[0]["normal"], (Json{0.0, 1.0, 0.0}));
-    // On the wall nothing is in the way of the sun.
+    // On top of the wall nothing blocks the sun.
     EXPECT_DOUBLE_EQ(probes[1]["hours"].get<double>(), report()["possible_hours"].get<double>());
     ASSERT_EQ(probes[1]["lit"].size(), 1u);
     EXPECT_EQ(probes[1]["lit"][0][0], "2026-03-21T06:20+01:00");
 }
 
 TEST_F(SunHours, WeighByTrueArea) {
-    // From straight above a block's roof is all that is seen of it; of the lawn, the rest.
+    // From straight above, only the roof of a block is visible, and the rest of the lawn.
     const std::string scene = withBlocks("box.glb", {{{-2, 0, -2}, {2, 1, 2}}});
     for (const Words& camera : {fromAbove, Words{"--size", "300x300", "--camera-from", "0,40,0.001",
                                                  "--camera-to", "0,0,0", "--fov", "30"}}) {
@@ -291,7 +291,7 @@ TEST_F(SunHours, PartsBecomeTheWholeByteForByte) {
     EXPECT_EQ(readFile(folder_ / "m.json"), readFile(folder_ / "report.json"));
     EXPECT_EQ(report()["days"], 3);
 
-    // A part of another scene, one missing, one that is none.
+    // A part of another scene, a missing part, an invalid one.
     const TempFolder other;
     ASSERT_EQ(
         runEdgeshade(Words{"sunhours", lawn(), other / "part3", "--part", "3/5"} + days).status, 0);

@@ -1,4 +1,4 @@
-// --time: nodes, cameras and lights where the file's animation has them.
+// --time: nodes, cameras and lights in the pose of the file's animation.
 #include "tests/support/child_process.hpp"
 #include "tests/support/gltf_builder.hpp"
 #include "tests/support/temp_folder.hpp"
@@ -11,9 +11,9 @@ namespace {
 
 const std::vector<std::string> camera = {"--camera-from", "4,5,7", "--camera-to", "0,0.5,0"};
 
-/// A floor with two boxes and, hanging from an arm that turns and moves for 4 seconds, a spot that
-/// shines down past a smaller box on the same arm. The arm starts beside the boxes and ends with
-/// the spot within one of them; a third box shrinks to nothing in the last second.
+/// A floor with two boxes and an arm that rotates and moves for 4 seconds. From the arm hangs a
+/// spot that shines down past a smaller box on the same arm. The arm starts beside the boxes and
+/// ends with the spot inside one of them; a third box shrinks to nothing in the last second.
 std::string lampOnAnArm(const TempFolder& folder) {
     const std::string lights = "KHR_lights_punctual";
     const float sine = std::sin(0.6f), cosine = std::cos(0.6f);
@@ -55,9 +55,8 @@ std::string lampOnAnArm(const TempFolder& folder) {
     return folder.write("arm.glb", gltf.glb());
 }
 
-/// A floor and, if `all`, a box with a child and a skinned tetrahedron above it. An animation
-/// scales the box from `scale`, which it has at rest, and the joint from nothing, to 1 within a
-/// second.
+/// A floor and, if `all`, a box with a child and a skinned tetrahedron above it. Within a second an
+/// animation scales the box from `scale`, its rest scale, and the joint from nothing, to 1.
 std::string growing(const TempFolder& folder, const Json& scale, bool all) {
     GltfBuilder gltf;
     gltf.addShapeNode(box(glm::vec3(3.0f, 0.2f, 3.0f)));
@@ -135,7 +134,7 @@ TEST_F(Time, PlacesNodesLightsAndCameras) {
 
     ASSERT_EQ(run("render", {"--time", "2", "--camera", "0"}).status, 0);
     const Json viewFromWorld = report()["camera"]["matrix"];
-    for (std::size_t row = 0; row < 3; ++row) // the lamp's place, (0.3, 3, 0), is the eye
+    for (std::size_t row = 0; row < 3; ++row) // the lamp's place, (0.3, 3, 0), is the eye's
         EXPECT_NEAR(0.3 * viewFromWorld[row].get<double>() +
                         3.0 * viewFromWorld[4 + row].get<double>() +
                         viewFromWorld[12 + row].get<double>(),

@@ -1,4 +1,4 @@
-// `tradeoff` as a program. What it measures is tested where it is measured.
+// The program `tradeoff`. Its measurements are tested with the code that makes them.
 #include "tests/support/child_process.hpp"
 #include "tests/support/packing.hpp"
 #include "tests/support/temp_folder.hpp"
@@ -26,7 +26,7 @@ class Tradeoff : public testing::Test {
   protected:
     Tradeoff() : input_(folder_.write("in.glb", variedScene().glb())) {}
 
-    /// It has some forty settings to make, which other programs' tests don't wait for.
+    /// It prepares some forty settings, which takes longer than other programs' timeout.
     static ProcessResult ended(const std::vector<std::string>& arguments) {
         return ChildProcess(EDGESHADE_PROGRAM, arguments).wait(120.0);
     }
@@ -41,7 +41,7 @@ class Tradeoff : public testing::Test {
         return ended(arguments);
     }
 
-    /// Nothing of the report is tested where this program has no oracle.
+    /// Without an oracle in this build nothing of the report is tested.
     static bool hasLab(const ProcessResult& result) {
         return result.err.find("built without Embree") == std::string::npos;
     }
@@ -64,7 +64,7 @@ TEST_F(Tradeoff, RowsHaveTheKeysOfTheContractAndTheFrontIsOne) {
              {"frame_ms", "bytes_gpu", "wrong_image_percent", "wrong_image_beyond_1px_percent"})
             EXPECT_TRUE(row[key].is_number()) << key;
         EXPECT_GE(row["rounds"], 1);
-        EXPECT_EQ(row["frames"], 2); // as typed: nothing is left to be dropped before
+        EXPECT_EQ(row["frames"], 2); // as requested: nothing can be dropped earlier
         EXPECT_EQ(row["views"], 1);
         EXPECT_EQ(row["dominated_early"], false);
         EXPECT_GE(row["frame_ms_below"], row["frame_ms"]);

@@ -1,5 +1,5 @@
-// Alpha-tested meshes of a host have the masks that `render --mask` draws of a MASK material, and
-// cast as whole triangles what `--cast-masked` has them cast.
+// A host's alpha-tested meshes have the same masks as a MASK material in `render --mask`; they cast
+// as whole triangles, as with `--cast-masked`.
 #include "tests/engine/masks_in_a_host.hpp"
 
 #include <GLES2/gl2.h>
@@ -15,7 +15,7 @@ const Camera corner{{5, 4, 6}, {0, 0.5, 0}, 50.0};
 const Light noon = sun({0.5, 1, -0.3}), lamp = pointLight({0.3, 4, 0.7});
 constexpr float cutoff = 0.4f, opacity = 0.9f;
 
-/// Squares of different alphas, and others in green.
+/// Squares with different alphas, and with different greens.
 Image pattern() {
     constexpr int size = 8;
     Image image{size, size, {}};
@@ -29,7 +29,7 @@ Image pattern() {
     return image;
 }
 
-/// The same with alpha in green, and nothing of it in alpha.
+/// The same with alpha in the green channel, and none of it in alpha.
 Image inGreen(Image image) {
     for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
         image.rgba[i + 1] = image.rgba[i + 3];
@@ -38,7 +38,7 @@ Image inGreen(Image image) {
     return image;
 }
 
-/// Two sheets with holes, one of them before much of what is seen.
+/// Two sheets with holes, one of them in front of much of the scene.
 Scene sheets(bool doubleSided) {
     Material material;
     material.alphaMode = AlphaMode::mask;
@@ -59,7 +59,7 @@ Scene sheets(bool doubleSided) {
     return scene;
 }
 
-/// A yard and the sheets; what is not theirs is seen from both sides.
+/// A yard and the sheets; all other surfaces are seen from both sides.
 Scene yardWith(const Scene& sheets) {
     Scene scene = yard().scene();
     scene.materials = sheets.materials;
@@ -69,7 +69,7 @@ Scene yardWith(const Scene& sheets) {
     return scene;
 }
 
-/// Texture coordinates as the engine takes them, times a number.
+/// Texture coordinates in the engine's form, multiplied by a number.
 std::vector<float> texcoordsOf(const Geometry& geometry, float times) {
     std::vector<float> texcoords;
     for (const glm::vec2& uv : geometry.texcoords)
@@ -77,7 +77,7 @@ std::vector<float> texcoordsOf(const Geometry& geometry, float times) {
     return texcoords;
 }
 
-/// A host that draws its own texture.
+/// A host that draws with its own texture.
 struct Host {
     explicit Host(const Image& image = pattern())
         : context({hostWidth, hostHeight}),
@@ -187,13 +187,13 @@ TEST(AlphaMasks, FindAlphaInGreenAndByATransform) {
     alpha.texcoordTransform = {4, 0, 0, 0, 4, 0, 0, 0, 1};
     host.masks.setAlpha(id, alpha);
     EXPECT_EQ(host.drawn(noon), expected);
-    // Turned and shifted back by what the vertices have.
+    // Undoes the rotation and offset of the vertices' coordinates.
     alpha.texcoordTransform = {0, 4, 0, 4, 0, 0, 0, 0, 1};
     host.masks.setAlpha(id, alpha);
     EXPECT_GT(different(host.drawn(noon), expected), 500u);
     alpha.channel = MaskAlpha::Channel::alpha;
     alpha.cutoff = 0.95f;
-    host.masks.setAlpha(id, alpha); // all of it is a hole: nothing but its shadow is there
+    host.masks.setAlpha(id, alpha); // all hole: only its shadow is left
     Host alone;
     const auto none = alone.add(both, true);
     alone.masks.setAlpha(none, {.opacity = 0.1f});
@@ -237,7 +237,7 @@ TEST(AlphaMasks, OfOneMeshMayDifferByPlace) {
     const Scene both = sheets(true);
     const auto whole = host.add(both, false);
     const auto expected = host.drawn(noon);
-    // The same mesh elsewhere, out of sight, has no part in it.
+    // The same mesh in another place, out of sight, has no effect.
     const Geometry& geometry = *both.batches.front().geometry;
     const std::vector<float> texcoords = texcoordsOf(geometry, 1.0f);
     MaskMesh mesh = meshOf(geometry);
@@ -252,7 +252,7 @@ TEST(AlphaMasks, OfOneMeshMayDifferByPlace) {
     host.masks.setAlpha(second, {.cutoff = 0.0f});
     host.masks.setAlpha(first, host.alpha());
     EXPECT_EQ(host.drawn(noon), expected);
-    // Another mesh has no holes until it is told of them.
+    // A replaced mesh has no holes until they are set.
     host.masks.change(first, prepared);
     EXPECT_NE(host.drawn(noon), expected);
     host.masks.setAlpha(first, host.alpha());

@@ -59,7 +59,7 @@ std::string fragmentSource(HostPicture::Language language) {
         source = "#extension GL_OES_standard_derivatives : enable\n"
                  "#define EDGESHADE_DERIVATIVES\n" +
                  source;
-    // Two lights in one shader have names of their own.
+    // Two lights in one shader have separate names.
     source += lookupSource("sun") + lookupSource("other_lamp");
     return source + "#define ASKED " + asks + "\n" + fragmentStage;
 }
@@ -115,11 +115,11 @@ HostPicture::HostPicture(const ShadowMasks& masks, ShadowMasks::LookupId lookup,
 }
 
 HostPicture::~HostPicture() {
-    glUseProgram(0); // else it were gone only when another one is used
+    glUseProgram(0); // otherwise, once deleted, it lives until another is used
 }
 
 void HostPicture::draw(const Geometry& geometry, const Matrix16& worldFromObject, bool casts) {
-    std::vector<glm::vec3> corners; // and normals of their triangles
+    std::vector<glm::vec3> corners; // alternately with the normals of their triangles
     for (std::size_t i = 0; i < geometry.indices.size(); i += 3) {
         const auto at = [&](std::size_t k) { return geometry.positions[geometry.indices[i + k]]; };
         const glm::vec3 normal = glm::cross(at(1) - at(0), at(2) - at(0));

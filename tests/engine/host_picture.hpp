@@ -5,11 +5,11 @@
 
 namespace edgeshade::test {
 
-/// A renderer of somebody else, who asks a light's map in a shader of his own: white where it
-/// reaches, black where not; white where nothing is.
+/// A foreign renderer that looks up a light's map in its own shader: white where the light reaches,
+/// black elsewhere, and white where there is no surface.
 class HostPicture {
   public:
-    /// `version3`: in GLSL ES 3.00; else in 1.00, by derivatives or by normals that it passes.
+    /// `version3`: GLSL ES 3.00, else 1.00; with derivatives, or with normals that the host passes.
     struct Language {
         bool version3 = false, derivatives = true;
     };
@@ -20,7 +20,7 @@ class HostPicture {
     HostPicture(const HostPicture&) = delete;
     HostPicture& operator=(const HostPicture&) = delete;
 
-    /// Draws a mesh into what is bound. `casts`: as it was added.
+    /// Draws a mesh into the bound framebuffer. `casts`: as it was added.
     void draw(const Geometry& geometry, const Matrix16& worldFromObject, bool casts);
 
   private:

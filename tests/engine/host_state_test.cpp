@@ -1,5 +1,5 @@
-// Whatever the host has set is set after the masks were drawn, and draws as well as in a fresh
-// context, with and without vertex array objects.
+// All state that the host has set is unchanged after the masks were drawn, and the masks are the
+// same as in a fresh context, with and without vertex array objects.
 #include "src/gl/host_functions.hpp"
 #include "tests/engine/masks_in_a_host.hpp"
 
@@ -67,7 +67,7 @@ constexpr GLenum asked[] = {GL_ACTIVE_TEXTURE,
                             GL_STENCIL_WRITEMASK,
                             GL_UNPACK_ALIGNMENT,
                             GL_VIEWPORT};
-// Of ES 3: vertex array, samplers, framebuffers, pixel buffers, rows of pixels, two switches.
+// State of ES 3: vertex array, samplers, framebuffers, pixel buffers, rows of pixels, two switches.
 constexpr GLenum es3Asked[] = {0x85B5, 0x8CAA, 0x88ED, 0x88EF, 0x0CF2, 0x0CF3,
                                0x0CF4, 0x0D02, 0x0D03, 0x0D04, 0x8C89, 0x8D69};
 
@@ -123,7 +123,7 @@ State stateNow() {
     return state;
 }
 
-/// Nothing as it is in a fresh context.
+/// Sets everything differently than in a fresh context.
 void setOddly(const gl::HostFunctions& functions) {
     for (const GLenum name : {GL_BLEND, GL_CULL_FACE, GL_POLYGON_OFFSET_FILL, GL_SCISSOR_TEST,
                               GL_STENCIL_TEST, GL_SAMPLE_COVERAGE, GL_SAMPLE_ALPHA_TO_COVERAGE})

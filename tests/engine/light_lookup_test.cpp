@@ -1,4 +1,4 @@
-// A host that looks a light up in a shader of its own shows the shadows of `render --mask`.
+// A host that looks a light up in its own shader shows the shadows of `render --mask`.
 #include "src/engine/light_lookups.hpp"
 #include "tests/engine/host_picture.hpp"
 
@@ -16,7 +16,7 @@ const Camera corner{{5, 4, 6}, {0, 0.5, 0}, 50.0};
 
 using Mask = std::vector<std::uint8_t>;
 
-/// Pixels that differ, and those of them whose neighbours the expected mask all has as they are.
+/// Pixels that differ, and those among them whose neighbours are all equal in the expected mask.
 struct Wrong {
     std::size_t all = 0, beyond = 0;
 };
@@ -156,7 +156,7 @@ TEST(LightLookup, ShowsNoFringesUnderMultisampling) {
     const auto id = lookedUp(masks, asked);
     HostPicture(masks, id, asked, viewOf(corner), {}).draw(geometryOf(scene), identity16, true);
     const Mask drawn = redOf(context);
-    // A corner that samples alone show; masks that are read at pixels have hundreds.
+    // A corner that only the samples show; masks read at pixels differ at hundreds.
     EXPECT_LE(compared(drawn, expected).beyond, 2u);
     EXPECT_TRUE(std::any_of(drawn.begin(), drawn.end(), [](std::uint8_t share) {
         return share > 0 && share < 255;

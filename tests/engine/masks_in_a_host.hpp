@@ -14,7 +14,7 @@ inline constexpr int hostWidth = 240, hostHeight = 180;
 
 /// eglGetProcAddress().
 void* eglLookUp(const char* name);
-/// The same in a context that has no vertex array objects.
+/// The same for a context without vertex array objects.
 void* lookUpWithoutArrays(const char* name);
 
 Matrix16 numbersOf(const glm::dmat4& matrix);
@@ -23,15 +23,15 @@ MaskView viewOf(const Camera& camera);
 MaskLight hostLight(const Light& light);
 
 Light spot();                                   ///< above yard()
-const Geometry& geometryOf(const Scene& scene); ///< of its first batch
+const Geometry& geometryOf(const Scene& scene); ///< the first batch's
 
 /// RGBA, rows bottom to top.
 std::vector<std::uint8_t> readTexture(unsigned texture);
 
-/// One byte a pixel, rows top to bottom: a light's channel.
+/// One byte per pixel, rows top to bottom: a light's channel.
 std::vector<std::uint8_t> readMask(const ShadowMasks& masks, std::size_t light);
 
-/// The same of `render --mask`, 255 where no surface is.
+/// The same from `render --mask`, 255 where there is no surface.
 std::vector<std::uint8_t> renderedMask(const Scene& scene, const Camera& camera, const Light& light,
                                        const SceneImages& images = {}, bool castMasked = false);
 

@@ -1,4 +1,5 @@
-// What the mask engine hands a host equals `render --mask`, whatever came, went or moved before.
+// The mask engine gives a host the same masks as `render --mask`, whatever was added, removed or
+// moved before.
 #include "src/shadow/lights/light_extent.hpp"
 #include "tests/engine/masks_in_a_host.hpp"
 
@@ -13,8 +14,8 @@ using namespace test;
 
 const Camera corner{{5, 4, 6}, {0, 0.5, 0}, 50.0};
 
-/// Both masks, the host's of some light of several. The rendered one is drawn before, by a context
-/// of its own, so contexts don't get in each other's way.
+/// Both masks; the host's is for one of several lights. The rendered one is drawn first, in its own
+/// context, so that contexts don't interfere.
 struct Expected {
     Scene scene;
     Light light;
@@ -119,7 +120,7 @@ TEST(ShadowMasks, OfAMeshAtTwoPlacesAreThoseOfTwoMeshes) {
     const auto second = places.add(mesh, numbersOf(right));
     EXPECT_EQ(drawn(places), drawn(twice));
     EXPECT_LT(places.cost().bytes, twice.cost().bytes) << "they are kept once";
-    // The first may go, and the other change: neither has the other's fate.
+    // The first may be removed and the other changed: they don't affect each other.
     places.remove(first);
     ShadowMasks one(eglLookUp);
     one.add(meshOf(geometryOf(ground)));
@@ -136,7 +137,7 @@ TEST(ShadowMasks, SeeThroughTheBacksOfWhatHasOneSide) {
     const MaskLight light = hostLight(sun({0.5, 1, -0.3}));
     const gl::HeadlessContext context({hostWidth, hostHeight});
     const Scene ground = yard().scene();
-    // A triangle that hides much of the picture, wound clockwise as the eye sees it.
+    // A triangle that hides much of the picture, wound clockwise as seen by the eye.
     const std::vector<float> positions = {4, 3, 4, -1, 5, 4.5, 3, 0.5, 6};
     const std::vector<std::uint32_t> front = {0, 1, 2}, back = {0, 2, 1};
     const auto drawn = [&](const std::vector<std::uint32_t>& indices, bool doubleSided) {
@@ -156,7 +157,7 @@ TEST(ShadowMasks, SeeThroughTheBacksOfWhatHasOneSide) {
     EXPECT_TRUE((drawn(front, false) == hidden) != (drawn(back, false) == hidden));
 }
 
-/// What nearness() says of each pixel's depth, rows bottom to top; 0: no surface.
+/// Depth of each pixel according to nearness(), rows bottom to top; 0: no surface.
 std::vector<double> depthsTold(const ShadowMasks& masks, bool orthographic) {
     const MaskNearness& told = masks.nearness();
     const std::vector<std::uint8_t> rgba = readTexture(told.texture);
@@ -174,7 +175,7 @@ std::vector<double> depthsTold(const ShadowMasks& masks, bool orthographic) {
 TEST(ShadowMasks, TellHowFarAwaySurfacesAre) {
     const gl::HeadlessContext context({hostWidth, hostHeight});
     const MaskLight light = hostLight(sun({0.5, 1, -0.3}));
-    // A square of half-width 1, square to the view, 3 before the eye.
+    // A square of half-width 1, parallel to the picture, 3 in front of the eye.
     const std::vector<float> positions = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0};
     const std::vector<std::uint32_t> indices = {0, 1, 2, 0, 2, 3};
     const Camera straight{{0, 0, 3}, {0, 0, 0}, 50.0};

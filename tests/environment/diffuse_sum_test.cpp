@@ -21,7 +21,7 @@ Environment diffuseOnly(const Sky& sky) {
 } // namespace
 
 TEST(DiffuseSum, HarmonicsOfItsBandsAreExact) {
-    // One of every harmonic, with factors of its own.
+    // One of each harmonic, with its own factors.
     const Sky sky = [](const glm::dvec3& d) {
         return glm::dvec3(9.0 + 1.5 * d.x - 2.5 * d.y + 3.5 * d.z,
                           9.0 + 1.5 * d.x * d.y - 2.5 * d.y * d.z + 3.5 * d.z * d.x,

@@ -1,4 +1,4 @@
-// Reflections of an environment that was read against brute force.
+// Reflections of a loaded environment against brute force.
 #include "src/environment/reading.hpp"
 #include "src/environment/specular_lobe.hpp"
 #include "tests/environment/sky.hpp"
@@ -16,7 +16,7 @@ Environment environmentOf(const Sky& sky) {
     return readEnvironment(file, "'a.hdr'", EnvironmentScale::asStored);
 }
 
-/// The largest difference, as a share of the largest radiance that is expected at that roughness.
+/// The largest error, as a share of the largest radiance expected at that roughness.
 float worstError(const Environment& environment, const Sky& sky, float roughness) {
     float worst = 0.0f, brightest = 0.0f;
     for (glm::vec3 direction : testDirections()) {
@@ -88,7 +88,7 @@ TEST(SpecularLobe, SamplesStandForTheLobe) {
         }
         EXPECT_NEAR(weights, 1.0f, 1e-5f);
     }
-    // At roughness 1 the density is even: together they stand for the hemisphere.
+    // At roughness 1 the density is uniform: together the samples represent the hemisphere.
     const SpecularLobe even(1.0f, 64);
     for (const SpecularLobe::Sample& sample : even.samples())
         EXPECT_NEAR(sample.solidAngle, 2.0f * std::numbers::pi_v<float> / 64.0f, 1e-4f);

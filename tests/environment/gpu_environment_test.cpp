@@ -1,4 +1,4 @@
-// What shaders_es2/environment.glsl finds on the GL against its twin on the processor.
+// Results of shaders_es2/environment.glsl on the GL against its twin on the processor.
 #include "src/scene/gpu_environment.hpp"
 
 #include "preprocess/base/file_io.hpp"
@@ -14,9 +14,9 @@
 namespace edgeshade::test {
 namespace {
 
-constexpr int side = 64;                        // of the picture, one query a pixel
-constexpr glm::vec3 channels(0.2f, 0.3f, 0.5f); // told apart in one number
-constexpr float largest = 32.0f;                // that is written to 16 bits
+constexpr int side = 64;                        // side of the picture, with one query per pixel
+constexpr glm::vec3 channels(0.2f, 0.3f, 0.5f); // distinguishable in one number
+constexpr float largest = 32.0f;                // the largest value written to 16 bits
 
 struct Query {
     glm::vec2 pixel; ///< in normalised device coordinates
@@ -74,7 +74,7 @@ std::vector<Query> makeQueries() {
     return queries;
 }
 
-/// Numbers by query, drawn.
+/// Draws the numbers, one per query.
 std::vector<float> drawn(const gl::HeadlessContext& context, const Environment& environment,
                          const std::vector<Query>& queries,
                          const std::vector<std::string>& defines) {

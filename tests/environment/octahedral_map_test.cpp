@@ -29,7 +29,7 @@ TEST(OctahedralMap, TexelsCoverTheSphere) {
 
 TEST(OctahedralMap, FilteringHasNoSeam) {
     OctahedralMap map(8);
-    float value = 0.0f; // neighbours differ by as much as there is
+    float value = 0.0f; // neighbours differ by the full range
     map.fill([&](const glm::vec3&) { return glm::vec3(value = 1.0f - value, 0.5f, 0.0f); });
     for (int i = -20; i <= 20; ++i) {
         const float along = static_cast<float>(i) / 20.5f;

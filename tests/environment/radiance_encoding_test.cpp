@@ -59,7 +59,8 @@ TEST(RadianceEncoding, FilteringIsCloseToLinearAndKeepsGreyGrey) {
                 const glm::vec3 between = decodeRadiance(glm::mix(one, other, share), root);
                 const float expected = glm::mix(size, 1.2f * size, share);
                 ASSERT_EQ(between.r, between.b);
-                // Roots are filtered: less than the mean by a quarter of their difference squared.
+                // Roots are filtered: the result is below the mean by a quarter of their difference
+                // squared.
                 ASSERT_NEAR(between.r, expected,
                             0.0025f * expected + allowed(expected, root, 0.01f))
                     << size;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* name = "'a.hdr'";
 
-/// Dim, but for one bright pixel.
+/// A dim picture with one bright pixel.
 Bytes oneBright(int width, int height, int brightX, int brightY, float radiance) {
     return hdrOf(width, height, [=](int x, int y) {
         return glm::vec3(x == brightX && y == brightY ? radiance : 0.1f);
@@ -44,7 +44,7 @@ TEST(ReadEnvironment, TheMiddleColumnLooksAlongMinusZ) {
         int x, y;
         glm::vec3 direction;
     };
-    // Pixels are 6 degrees wide, so a corner's direction is at most 5 from their middle.
+    // Pixels are 6 degrees wide, so that a corner's direction is at most 5 from their middle.
     for (const Case& seen :
          {Case{30, 14, {0, 0, -1}}, Case{15, 14, {-1, 0, 0}}, Case{45, 14, {1, 0, 0}},
           Case{0, 14, {0, 0, 1}}, Case{59, 14, {0, 0, 1}}, Case{20, 0, {0, 1, 0}},

@@ -8,8 +8,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Adds up sky * weight(angle to the normal) and divides by the weights' sum. More steps are where
-/// the angle is small.
+/// Sums sky * weight(angle to the normal) and divides by the sum of weights, with more steps at
+/// small angles.
 template <class Weight>
 glm::dvec3 zonalMean(const Sky& sky, const glm::dvec3& normal, Weight weight) {
     constexpr int rings = 300, turns = 96;
@@ -71,7 +71,7 @@ glm::dvec3 ggxByBruteForce(const Sky& sky, const glm::dvec3& normal, double roug
     const double alpha = roughness * roughness;
     return zonalMean(sky, normal, [&](double angle) {
         const double halfTangent = std::tan(0.5 * angle), halfCosine = std::cos(0.5 * angle);
-        // As Walter et al. 2007 write it, without constant factors.
+        // As in Walter et al. 2007, without constant factors.
         const double width = alpha * alpha + halfTangent * halfTangent;
         return std::cos(angle) / (std::pow(halfCosine, 4.0) * width * width);
     });

@@ -1,5 +1,5 @@
-// A GL that fails on demand: preloaded (LD_PRELOAD), its functions stand before those of EGL and
-// GLES. What it doesn't spoil it hands on. It also counts what is made and never deleted.
+// A GL that fails on demand. Preloaded (LD_PRELOAD), its functions replace those of EGL and GLES,
+// and pass on whatever isn't to fail. It also counts objects that are created and never deleted.
 #include "faulty_gl.hpp"
 
 #include <cstdio>
@@ -18,7 +18,7 @@ namespace fault = edgeshade::test::fault;
 
 constexpr GLenum contextLost = 0x0507;
 
-/// What goes wrong, and what is alive. One a process, which the GL's own state is too.
+/// The fault and the living objects; one per process, like the GL's own state.
 struct State {
     std::string word;
     int turn = 1; ///< of the Nth
@@ -47,7 +47,7 @@ struct State {
     }
 
     bool is(const char* name) const { return word == name; }
-    /// Whether this call of the fault's kind is the one that fails.
+    /// Whether this call, of the fault's kind, is the one that fails.
     bool strikes(const char* name) { return is(name) && ++seen[word] == turn; }
 
     void draws() {
@@ -66,7 +66,7 @@ Function real(Function, const char* name) {
 }
 #define REAL(function) real(&function, #function)
 
-/// Whether an allocation fails.
+/// Whether this allocation fails.
 bool refusesMemory() {
     if (!state().strikes(fault::noMemory)) return false;
     state().error = GL_OUT_OF_MEMORY;
@@ -96,7 +96,7 @@ void instancedElements(GLenum mode, GLsizei count, GLenum type, const void* at, 
     realInstancedElements(mode, count, type, at, instances);
 }
 
-/// Remembers the real function and hands out ours.
+/// Stores the real function and returns the replacement.
 template <class Function>
 auto replaced(Function& kept, Function ours, void (*found)()) {
     kept = reinterpret_cast<Function>(found);
@@ -181,7 +181,7 @@ void (*eglGetProcAddress(const char* name))() {
     return found;
 }
 
-// What the context is.
+// Description of the context.
 
 const GLubyte* glGetString(GLenum name) {
     const GLubyte* text = REAL(glGetString)(name);
@@ -189,7 +189,7 @@ const GLubyte* glGetString(GLenum name) {
         return reinterpret_cast<const GLubyte*>("OpenGL ES 2.0");
     if (state().is(fault::noExtensions) && name == GL_EXTENSIONS)
         return reinterpret_cast<const GLubyte*>("");
-    // So that the silent loss can be noticed here too.
+    // Makes the silent loss noticeable here too.
     if (state().is(fault::lostSilently) && name == GL_EXTENSIONS) {
         static const std::string more =
             std::string(reinterpret_cast<const char*>(text)) + " GL_EXT_robustness";
@@ -275,7 +275,7 @@ void glDrawElements(GLenum mode, GLsizei count, GLenum type, const void* at) {
     REAL(glDrawElements)(mode, count, type, at);
 }
 
-// What is alive.
+// Counts living objects.
 
 #define COUNTED(Kind, name)                                                                        \
     void glGen##Kind(GLsizei count, GLuint* names) {                                               \

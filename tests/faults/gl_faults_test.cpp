@@ -1,5 +1,5 @@
-// What the GL can refuse, and what happens then: status 3, one sentence, no output, and nothing
-// that was made in the GL is left when the program ends.
+// Failures of the GL: status 3, one sentence, no output, and no GL object is left when the program
+// ends.
 #include "faulty_gl.hpp"
 #include "tests/cli/message.hpp"
 #include "tests/support/gltf_builder.hpp"
@@ -15,14 +15,14 @@ struct GlFault {
     std::string name;
     ChildProcess::Environment environment;
     std::vector<std::string> options;
-    std::string word; ///< that the message must have
+    std::string word; ///< required in the message
 };
 
 ChildProcess::Environment preloaded(const std::string& fault) {
     return {{"LD_PRELOAD", EDGESHADE_PRELOADS}, {faultVariable, fault}};
 }
 
-/// A folder with a scene, and with what the program leaves.
+/// A folder with a scene and the program's output.
 class GlFaults : public testing::Test {
   protected:
     GlFaults() {
@@ -41,7 +41,7 @@ class GlFaults : public testing::Test {
         return runEdgeshade(arguments, environment);
     }
 
-    /// What is alive in the GL at the end, by the last run that was preloaded.
+    /// Objects alive in the GL at the end of the last preloaded run.
     std::string leaks() const {
         if (!std::filesystem::exists(folder_ / "leaks")) return "no list was written";
         const Bytes bytes = readFile(folder_ / "leaks");
@@ -128,7 +128,7 @@ TEST_P(OneGlFault, EndsWithASentence) {
 INSTANTIATE_TEST_SUITE_P(, OneGlFault, testing::ValuesIn(faults),
                          [](const auto& test) { return test.param.name; });
 
-/// Every allocation in turn, until there are no more.
+/// Makes every allocation fail in turn.
 TEST_F(GlFaults, AnyAllocationMayBeRefused) {
     const std::vector<std::vector<std::string>> ways = {
         {}, {"--layout", "published"}, map, {"--instancing", "off"}, {"--mask-scale", "1/2"}};
@@ -150,7 +150,7 @@ TEST_F(GlFaults, AnyAllocationMayBeRefused) {
     }
 }
 
-/// The same for every shader and program.
+/// The same for every shader and every program.
 TEST_F(GlFaults, AnyShaderMayBeRefused) {
     for (const char* word : {fault::noCompile, fault::noLink}) {
         int refused = 0;
@@ -169,7 +169,7 @@ TEST_F(GlFaults, AnyShaderMayBeRefused) {
     }
 }
 
-/// The faults above say nothing if the preloaded GL draws something else, or counts nothing.
+/// The faults above mean nothing if the preloaded GL draws something else, or counts nothing.
 TEST_F(GlFaults, WithoutOneThePictureIsTheSame) {
     ASSERT_EQ(render(preloaded("")).status, 0);
     EXPECT_EQ(leaks(), "");
@@ -178,7 +178,7 @@ TEST_F(GlFaults, WithoutOneThePictureIsTheSame) {
     EXPECT_EQ(readFile(folder_ / "out.png"), picture);
 }
 
-/// A GL with ES 2.0 alone is no fault.
+/// A GL with only ES 2.0 is no fault.
 TEST_F(GlFaults, NoExtensionIsNeeded) {
     ASSERT_EQ(render(preloaded(fault::noExtensions)).status, 0);
     EXPECT_EQ(leaks(), "");
@@ -187,7 +187,7 @@ TEST_F(GlFaults, NoExtensionIsNeeded) {
     EXPECT_EQ(readFile(folder_ / "out.png"), picture);
 }
 
-/// The verbs that draw without a picture to write.
+/// Verbs that draw without writing a picture.
 TEST_F(GlFaults, MeasuringEndsWithASentenceToo) {
     for (const char* verb : {"bench", "compare"})
         for (const char* fault : {"no-stencil", "no-memory:4", "no-compile:3", "lost:2"}) {

@@ -6,7 +6,7 @@ using namespace edgeshade::test;
 
 namespace {
 
-/// The compression extensions of views and primitives, wherever they stand.
+/// Finds the compression extensions of views and primitives at any depth.
 void findExtensions(Json& value, std::vector<Json*>& found) {
     if (!value.is_structured()) return;
     if (value.is_object())
@@ -22,7 +22,8 @@ std::vector<Json*> extensionsOf(Json& json) {
     return found;
 }
 
-/// The ranges of compressed bytes: of the meshopt extension itself, of the views that Draco names.
+/// The ranges of compressed bytes: of the meshopt extension itself, and of the views that Draco
+/// names.
 std::vector<Json*> compressedRanges(Json& json) {
     std::vector<Json*> ranges;
     const std::vector<Json*> views = bufferViewsOf(json);

@@ -1,4 +1,4 @@
-// What fuzzers start from and what they found, in the ordinary build.
+// Reads the fuzzers' seeds and their findings in the ordinary build.
 #include "preprocess/base/file_io.hpp"
 #include "tests/fuzz/gltf_structure.hpp"
 #include "tests/fuzz/pack_and_check.hpp"
@@ -38,7 +38,8 @@ TEST(Seeds, ScenesArePacked) {
 
 TEST(Seeds, ImagesAreAccepted) {
     for (const auto& [name, bytes] : imageSeeds())
-        EXPECT_EQ(readImage(bytes), name != "animated.webp") << name; // no picture of it is the one
+        EXPECT_EQ(readImage(bytes), name != "animated.webp") << name; // none of its pictures is the
+                                                                      // image
 }
 
 } // namespace edgeshade::test

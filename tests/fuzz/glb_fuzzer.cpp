@@ -1,4 +1,4 @@
-// What libFuzzer calls, for fuzzers of GLBs: each says its mutationScope().
+// Functions that libFuzzer calls, for fuzzers of GLBs: each defines its mutationScope().
 #include "tests/fuzz/glb_mutation.hpp"
 
 using namespace edgeshade::test;

@@ -16,7 +16,7 @@ std::size_t below(Random& random, std::size_t end) {
     return std::uniform_int_distribution<std::size_t>(0, end - 1)(random);
 }
 
-/// Every value from `root` down.
+/// Collects every value from `root` down.
 void collect(Json& root, std::vector<Json*>& values) {
     values.push_back(&root);
     if (root.is_structured())
@@ -31,7 +31,7 @@ std::vector<Json*> valuesUnder(const std::vector<Json*>& roots) {
     return values;
 }
 
-/// Numbers at which kinds end, and sizes that pass what there is.
+/// Numbers at the limits of types, and sizes beyond those present.
 Json oddNumber(Random& random) {
     static const std::vector<Json> numbers = {0,
                                               1,
@@ -186,7 +186,7 @@ Json nearbyNumber(const Json& number, Random& random) {
     return number.get<std::int64_t>() + steps[below(random, std::size(steps))];
 }
 
-/// Removes, repeats or adds a child of the array or object.
+/// Removes, repeats or adds a child of an array or object.
 void changeChildren(Json& parent, const Json& another, Random& random) {
     const std::size_t kind = below(random, 3);
     if (parent.is_array()) {
@@ -223,7 +223,7 @@ void changeJson(Json& json, const std::vector<Json*>& roots, Random& random) {
     }
 }
 
-/// What the root of a glTF may have.
+/// Members that the root of a glTF may have.
 constexpr const char* sections[] = {
     "accessors", "animations", "asset",  "bufferViews",    "buffers",
     "cameras",   "extensions", "extras", "extensionsUsed", "extensionsRequired",
@@ -231,11 +231,12 @@ constexpr const char* sections[] = {
     "scene",     "scenes",     "skins",  "textures",
 };
 
-/// Drops, empties, adds or moves a section; `repeated` becomes text of a member to be given twice.
+/// Removes, empties, adds or moves a section; `repeated` becomes the text of a member to be given
+/// twice.
 void changeSections(Json& json, std::string& repeated, Random& random) {
     if (!json.is_object()) return;
     const char* any = sections[below(random, std::size(sections))];
-    if (json.empty() || below(random, 4) == 0) { // one that may not be there
+    if (json.empty() || below(random, 4) == 0) { // possibly one that is missing
         static const Json empty[] = {Json::array(), Json::object(), Json::array({Json::object()})};
         json[any] = empty[below(random, std::size(empty))];
         return;
@@ -261,7 +262,7 @@ std::size_t offsetOf(const Json& range) {
     return isWholeNumber(range, "byteOffset") ? range["byteOffset"].get<std::size_t>() : 0;
 }
 
-/// Every range of buffer 0, of views and of what is compressed.
+/// Every range of buffer 0: of views and of compressed data.
 std::vector<Json*> rangesIn(Json& json) {
     std::vector<Json*> all;
     collect(json, all);
@@ -272,7 +273,7 @@ std::vector<Json*> rangesIn(Json& json) {
     return all;
 }
 
-/// Puts `bytes` in the range's place; what lies behind it moves by multiples of four bytes.
+/// Puts `bytes` in the range's place; the data behind it move by multiples of four bytes.
 void replaceRange(Json& json, Bytes& binary, Json& range, const Bytes& bytes) {
     const std::size_t offset = offsetOf(range);
     const std::size_t end = offset + range["byteLength"].get<std::size_t>();
@@ -283,7 +284,7 @@ void replaceRange(Json& json, Bytes& binary, Json& range, const Bytes& bytes) {
     changed.resize(offset + padded);
     changed.insert(changed.end(), binary.begin() + static_cast<std::ptrdiff_t>(oldEnd),
                    binary.end());
-    // One without an offset begins at 0; giving it one could move those within it.
+    // A range without an offset starts at 0; giving it one could move those within it.
     for (Json* other : rangesIn(json))
         if (other != &range && isWholeNumber(*other, "byteOffset") && offsetOf(*other) >= oldEnd)
             (*other)["byteOffset"] = offsetOf(*other) - (oldEnd - offset) + padded;
@@ -344,7 +345,7 @@ std::size_t mutateGlb(std::uint8_t* data, std::size_t size, std::size_t mostSize
         if (glb.size() > mostSize) return LLVMFuzzerMutate(data, size, mostSize);
         std::memcpy(data, glb.data(), glb.size());
         return glb.size();
-    } catch (const std::exception&) { // no GLB, or no JSON in it
+    } catch (const std::exception&) { // not a GLB, or without JSON
         return LLVMFuzzerMutate(data, size, mostSize);
     }
 }

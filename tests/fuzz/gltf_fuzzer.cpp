@@ -1,5 +1,5 @@
-// GLB and glTF through all of reading: any value of the JSON, any byte that a view names, and now
-// and then the container.
+// GLB and glTF through all stages of reading: mutates any value of the JSON, any byte of a view,
+// and sometimes the container.
 #include "tests/fuzz/glb_mutation.hpp"
 
 using namespace edgeshade::test;

@@ -24,7 +24,7 @@ std::optional<std::uint64_t> wholeNumber(const Json& value) {
     return std::nullopt;
 }
 
-/// The member where it is a whole number, `otherwise` where there is none.
+/// The member if it is a whole number, else `otherwise`.
 std::uint64_t numberIn(const Json& object, const char* key, std::uint64_t otherwise = 0) {
     return wholeNumber(in(object, key)).value_or(otherwise);
 }
@@ -49,7 +49,7 @@ std::uint64_t componentCount(const Json& type) {
     for (const auto& [name, count] :
          {std::pair("SCALAR", 1), {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}})
         if (type == name) return static_cast<std::uint64_t>(count);
-    return 0; // MAT2 and MAT3 have padding and are used by nothing here
+    return 0; // MAT2 and MAT3 have padding and are not used here
 }
 
 class Structure {
@@ -70,7 +70,7 @@ class Structure {
   private:
     void fault(const std::string& where, const char* what) { faults_.insert(where + ": " + what); }
 
-    /// Calls check(item, where) for all of a list, which must have something in it if it is there.
+    /// Calls check(item, where) for all items of a list, which must not be empty if it exists.
     template <class Check>
     void each(const Json& list, const std::string& where, Check check) {
         if (list.is_null()) return;
@@ -84,7 +84,7 @@ class Structure {
         each(in(json_, name), name, check);
     }
 
-    /// An index into a list, if it is there.
+    /// Checks an index into a list, if it exists.
     void index(const Json& value, const Json& list, const std::string& where) {
         if (value.is_null()) return;
         const auto number = wholeNumber(value);
@@ -101,7 +101,7 @@ class Structure {
             index(item, in(json_, name), place);
         });
     }
-    /// Each member is an index.
+    /// Checks that each member is an index.
     void indexMembers(const Json& object, const char* name, const std::string& where) {
         if (!object.is_object()) return;
         for (const auto& [key, value] : object.items())
@@ -115,14 +115,14 @@ class Structure {
         return at && list.is_array() && *at < list.size() ? list[*at] : nothing;
     }
 
-    /// How much of a view lies within its buffer.
+    /// The length of a view's part within its buffer.
     std::uint64_t lengthOf(const Json& view) {
         const std::uint64_t end = numberIn(itemOf("buffers", in(view, "buffer")), "byteLength");
         const std::uint64_t offset = std::min(numberIn(view, "byteOffset"), end);
         return std::min(numberIn(view, "byteLength"), end - offset);
     }
 
-    /// A view's range, or that of its compressed bytes.
+    /// Checks a view's range, or that of its compressed bytes.
     void checkRange(const Json& range, const std::string& where) {
         for (const char* key : {"buffer", "byteLength"})
             needed(range, key, where);
@@ -150,7 +150,7 @@ class Structure {
         });
     }
 
-    /// That `count` elements of `size` bytes lie in the view.
+    /// Checks that `count` elements of `size` bytes lie in the view.
     void checkElements(const Json& source, std::uint64_t count, std::uint64_t size,
                        std::uint64_t alignment, const std::string& where) {
         index(source, "bufferView", "bufferViews", where);

@@ -8,13 +8,13 @@
 
 namespace edgeshade::test {
 
-/// What in glTF's JSON breaks the rules of structure that Khronos' validator holds for errors: an
-/// index of nothing, a range past its end, a field that must be there, an array that is empty. Each
-/// as "where: what", without the values, so that two files can be compared. Knows nothing of how
-/// `preprocess` reads; takes JSON of any shape.
+/// Violations in glTF's JSON of the structural rules that Khronos' validator treats as errors: an
+/// index of nothing, a range past its end, a missing required field, an empty array. Each is
+/// "where: what", without values, so that two files can be compared. Independent of the code in
+/// `preprocess`; takes JSON of any shape.
 std::set<std::string> structuralFaults(const Json& json);
 
-/// The same of a GLB whose buffers are all in it, and of its container.
+/// The same for a GLB that contains all its buffers, and for its container.
 std::set<std::string> structuralFaults(const Bytes& glb);
 
 } // namespace edgeshade::test

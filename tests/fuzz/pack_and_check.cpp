@@ -16,7 +16,7 @@
 namespace edgeshade::test {
 namespace {
 
-/// What was packed may be larger than what was read.
+/// Packed files may be larger than their sources.
 ReadingLimits limitsOfPacked() {
     ReadingLimits limits = smallLimits();
     limits.fileBytes = limits.memoryBytes = std::numeric_limits<std::uint64_t>::max();
@@ -38,7 +38,7 @@ bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
            (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
-/// One of several choices, by the bytes alone.
+/// One of several choices, determined by the bytes.
 std::size_t chosen(std::span<const std::uint8_t> bytes) {
     std::size_t sum = 0;
     for (const std::uint8_t byte : bytes)
@@ -53,7 +53,7 @@ CasterSettings settingsFor(const GltfDocument& document, std::size_t choice) {
     return settings;
 }
 
-/// Unlike packBytes(), it doesn't read what it packed.
+/// Unlike packBytes(), it doesn't read its result.
 Bytes packedOf(const PackInput& input, Encoding encoding, const CasterSettings& settings) {
     Warnings warnings;
     Bytes bytes =
@@ -98,7 +98,7 @@ void requireSameShadows(const Shadows& read, const Topologies& topology, int max
 void requireSamePictures(const GltfDocument& packed, const GltfDocument& source) {
     if (!source.json.contains("images")) return;
     for (int i = 0; i < static_cast<int>(source.json["images"].size()); ++i) {
-        Bytes bytes; // some pictures can't be read
+        Bytes bytes; // some images can't be decoded
         if (!accepted([&] { bytes = encodedImageBytes(source, i); })) continue;
         require(encodedImageBytes(packed, i) == bytes, "has other pictures");
         const auto& image = packed.json["images"][static_cast<std::size_t>(i)];

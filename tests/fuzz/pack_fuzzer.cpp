@@ -1,5 +1,5 @@
-// What packing makes of a glTF: sections come and go, any value of the JSON and any byte that a
-// view names changes, and whatever is packed is read back and checked.
+// Packing a glTF: sections come and go, any value of the JSON and any byte of a view changes, and
+// packed files are read back and checked.
 #include "tests/fuzz/glb_mutation.hpp"
 #include "tests/fuzz/pack_and_check.hpp"
 

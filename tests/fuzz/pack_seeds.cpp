@@ -6,8 +6,8 @@
 namespace edgeshade::test {
 namespace {
 
-/// A box and an animated, skinned tetrahedron below a camera, with everything that a glTF may have
-/// and pictures that are data URIs.
+/// A box and an animated, skinned tetrahedron below a camera, with everything that a glTF may
+/// contain, and images as data URIs.
 GltfBuilder completeScene() {
     GltfBuilder gltf;
     gltf.addImage({{"uri", dataUri(smallPng(), "image/png")}, {"name", "picture"}});
@@ -45,7 +45,7 @@ void eraseKey(Json& value, const std::string& key) {
             eraseKey(child, key);
 }
 
-/// What refers to a section: sections that can't be without it, and keys somewhere below others.
+/// References to a section: sections that require it, and keys somewhere below others.
 struct Dependents {
     std::vector<const char*> sections;
     std::vector<std::pair<const char*, const char*>> keys; ///< section and key
@@ -81,7 +81,7 @@ void eraseSection(Json& json, const std::string& section) {
         if (json.contains(other)) eraseKey(json[other], key);
 }
 
-/// The complete scene without a section and what refers to it.
+/// The complete scene without a section and all references to it.
 Bytes without(const std::string& section) {
     GltfBuilder gltf = completeScene();
     eraseSection(gltf.json, section);

@@ -24,7 +24,7 @@ void readShadowData(const GltfDocument& document) {
     buildPlanePairs(scene, header->settings.castMasked, header->settings.flatTolerance);
 }
 
-/// Every animation, and what deforms in a few of its poses.
+/// Reads every animation, and poses deforming batches in a few poses.
 void readAnimationsOf(const GltfDocument& document) {
     Warnings warnings;
     readAnimation(document, warnings);

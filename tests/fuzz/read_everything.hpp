@@ -5,16 +5,16 @@
 
 namespace edgeshade::test {
 
-/// Reads the bytes of a .glb or .gltf as the program would in all of its verbs, short of drawing:
-/// read -> flatten -> weld -> edges -> plane-pair records, the shadow data of a packed file, its
-/// animation, its images; and packs it again. Limits are small, so that little memory and time are
-/// enough for whatever is accepted.
+/// Reads the bytes of a .glb or .gltf as all of the program's verbs would, short of drawing: read
+/// -> flatten -> weld -> edges -> plane-pair records, the shadow data of a packed file, its
+/// animation, its images; and packs it again. Limits are small, so that all accepted inputs need
+/// little memory and time.
 ///
-/// What is refused must be refused in one sentence; ends the process (abort) if it is not. Returns
-/// whether everything was accepted.
+/// Refusals must be one sentence; otherwise it ends the process (abort). Returns whether everything
+/// was accepted.
 bool readEverything(std::span<const std::uint8_t> bytes);
 
-/// The same of an image alone, PNG or JPEG.
+/// The same for a single image, PNG or JPEG.
 bool readImage(std::span<const std::uint8_t> bytes);
 
 } // namespace edgeshade::test

@@ -7,18 +7,17 @@
 
 namespace edgeshade::test {
 
-/// What fuzzed assets are called: no file of this folder can be there, so that external ones are
-/// refused.
+/// Path of fuzzed assets: no file can exist in this folder, so that external files are refused.
 inline constexpr const char* fuzzedPath = "/proc/self/nothing/fuzz.glb";
 
-/// Little memory and time are enough for whatever these let through.
+/// Limits that only let inputs through which need little memory and time.
 ReadingLimits smallLimits();
 
 /// Ends the process (abort), with the message on stderr, unless it is one sentence that names the
 /// file.
 void requireSentence(const std::string& message);
 
-/// Runs the part; returns whether it refused nothing. What is refused must be refused in one
+/// Runs a part of the program; returns whether it accepted the input. Refusals must be one
 /// sentence.
 template <class Part>
 bool accepted(Part part) {

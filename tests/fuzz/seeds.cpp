@@ -41,7 +41,7 @@ GltfBuilder texturedScene() {
     return gltf;
 }
 
-/// A strip and a fan without normals, of colours, bytes as indices, and points.
+/// A strip and a fan without normals, with colours, byte indices, and points.
 GltfBuilder modesScene() {
     GltfBuilder gltf;
     const int positions = gltf.addVectors(zigzag());
@@ -57,7 +57,7 @@ GltfBuilder modesScene() {
     return gltf;
 }
 
-/// Sparse positions, of which all others are zero, and quantised ones.
+/// Sparse positions, all others of which are zero, and quantised ones.
 GltfBuilder sparseScene() {
     GltfBuilder gltf;
     const int elements = gltf.addView(bytesOf(std::vector<std::uint16_t>{0, 2, 3}));
@@ -122,7 +122,7 @@ Shape boxes(int count) {
     return all;
 }
 
-/// The box compressed by meshopt, its positions or normals filtered.
+/// The box compressed by meshopt, with filtered positions or normals.
 GltfBuilder filteredScene(const std::string& filter) {
     const Shape shape = box(one);
     const std::size_t count = shape.positions.size();

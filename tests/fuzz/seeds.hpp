@@ -8,13 +8,14 @@
 
 namespace edgeshade::test {
 
-/// Sound inputs that fuzzers start from, by name.
+/// Sound inputs for fuzzers to start from, by name.
 using Seeds = std::vector<std::pair<std::string, Bytes>>;
 
-Seeds gltfSeeds();        ///< everything that reading knows, a little of each
+Seeds gltfSeeds();        ///< a little of everything that reading supports
 Seeds compressionSeeds(); ///< Draco and meshopt, every mode and filter
 Seeds shadowSeeds();      ///< packed files of every encoding
-Seeds packSeeds();        ///< for each section of glTF one that has all others; packed files
+Seeds packSeeds();        ///< for each section of glTF a file without it and all others; packed
+                          ///< files
 Seeds imageSeeds();
 
 } // namespace edgeshade::test

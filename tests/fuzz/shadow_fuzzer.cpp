@@ -1,5 +1,5 @@
-// EDGESHADE_shadow_volume: the extension's JSON, the accessors and views that it names, and their
-// bytes change; the geometry, and with it the hash, stays what was packed.
+// EDGESHADE_shadow_volume: changes the extension's JSON, the accessors and views that it names, and
+// their bytes; the geometry, and with it the hash, stays as packed.
 #include "preprocess/packing/shadow_extension.hpp"
 #include "tests/fuzz/glb_mutation.hpp"
 
@@ -15,7 +15,7 @@ Json* extensionOf(Json& json) {
     return there ? &extensions[edgeshade::shadowExtensionName] : nullptr;
 }
 
-/// The item of the section that `index` says; null if there is none.
+/// The item of the section at `index`; null if there is none.
 Json* itemOf(Json& json, const char* section, const Json& index) {
     const bool there = json.contains(section) && json[section].is_array() &&
                        index.is_number_unsigned() &&

@@ -1,5 +1,5 @@
-// write_seeds FOLDER: writes what each fuzzer starts from into FOLDER/gltf, /compression, /shadow,
-// /pack and /image.
+// write_seeds FOLDER: writes each fuzzer's seeds into FOLDER/gltf, /compression, /shadow, /pack and
+// /image.
 #include "tests/fuzz/seeds.hpp"
 
 #include <filesystem>

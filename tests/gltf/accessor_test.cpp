@@ -13,7 +13,7 @@ std::vector<float> floatsOf(const GltfBuilder& gltf, int accessor) {
     return readFloats(parseGltf(gltf.glb(), "test.glb"), accessor, "test").values;
 }
 
-/// The accessor's `sparse` member that puts `values` at `places`.
+/// The accessor's `sparse` member, which puts `values` at `places`.
 template <class Place>
 Json sparseOf(GltfBuilder& gltf, const std::vector<Place>& places,
               const std::vector<float>& values) {

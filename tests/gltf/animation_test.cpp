@@ -13,7 +13,7 @@ namespace {
 const glm::dvec3 alongZ(0, 0, 1);
 const float root = std::sqrt(0.5f); // the sine and cosine of 45 degrees
 
-/// A scene that moves, built channel by channel, and what is read from it.
+/// A moving scene, built channel by channel, and the result of reading it.
 class MovingScene {
   public:
     GltfBuilder gltf;
@@ -47,7 +47,7 @@ class MovingScene {
     }
     Scene scene() const { return flattenScene(parseGltf(gltf.glb(), "test.glb"), 0.0); }
 
-    /// worldFromBatch of what `node` moves.
+    /// worldFromBatch of the batch that `node` moves.
     std::optional<glm::dmat4> pose(int node, double seconds) {
         const Scene flat = scene();
         const auto all = poseAt(animation().value(), flat, seconds).worldFromBatch;
@@ -82,7 +82,7 @@ glm::dmat4 scaled(double x, double y, double z) {
     return glm::scale(glm::dmat4(1.0), glm::dvec3(x, y, z));
 }
 
-/// A box turned by these quaternions, the first at 0 and the last at 3 seconds.
+/// A box rotated by these quaternions, the first at 0 and the last at 3 seconds.
 std::optional<glm::dmat4> turnedBox(const std::vector<float>& quaternions, double seconds,
                                     const std::string& interpolation = "LINEAR") {
     MovingScene scene;
@@ -187,7 +187,7 @@ TEST(Animation, LinearRotationsKeepTheirSpeed) {
 }
 
 TEST(Animation, LinearRotationsTakeTheShorterWay) {
-    // The same turn as above, by the opposite quaternion.
+    // The same rotation as above, by the opposite quaternion.
     expectMatrix(turnedBox({0, 0, 0, 1, 0, 0, -root, -root}, 1.0), turned(30));
 }
 
@@ -296,7 +296,7 @@ TEST(Animation, AnimatedNodesBelowOthersFollowThem) {
     expectMatrix(scene.pose(top, 1.0), moved(0, 0, 100) * turned(90));
     expectMatrix(scene.pose(leaf, 1.0), moved(0, 0, 100) * turned(90) * moved(3, 0, 0) *
                                             scaled(1, 1, 5) * moved(4, 0, 0) * scaled(2, 2, 2));
-    // By hand: 3 + 4 along x, turned to y.
+    // 3 + 4 along x, rotated to y.
     EXPECT_NEAR((*scene.pose(leaf, 1.0))[3].y, 7.0, 1e-6);
 }
 
@@ -305,7 +305,7 @@ TEST(Animation, AMoverThatCarriesNoMeshMovesThoseBelow) {
     const int leaf = scene.addBox({{"translation", {1, 0, 0}}}, false);
     const int top = scene.gltf.addNode({{"children", {leaf}}});
     scene.move<float>(top, "rotation", {0}, {0, 0, root, root});
-    scene.move<float>(leaf, "scale", {0}, {3, 3, 3}, "", 1); // of another animation: at rest
+    scene.move<float>(leaf, "scale", {0}, {3, 3, 3}, "", 1); // from another animation: at rest
     expectMatrix(scene.pose(leaf, 0.0), turned(90) * moved(1, 0, 0));
 }
 
@@ -345,8 +345,8 @@ TEST(Animation, WhatLeavesTheRangeOfFloatsIsNotDrawn) {
     scene.move<float>(top, "scale", {0, 1, 2}, {1, 1, 1, most, most, most, least, least, least});
     scene.move<float>(leaf, "translation", {0, 1}, {0, 0, 0, 9, 0, 0});
     EXPECT_TRUE(scene.pose(top, 1.0));
-    EXPECT_FALSE(scene.pose(leaf, 1.0)); // the matrix does not fit
-    EXPECT_FALSE(scene.pose(top, 2.0));  // its inverse does not
+    EXPECT_FALSE(scene.pose(leaf, 1.0)); // the matrix does not fit into floats
+    EXPECT_FALSE(scene.pose(top, 2.0));  // its inverse does not fit
 }
 
 TEST(Animation, ANodeOutsideOfTheSceneMovesNothing) {
@@ -447,7 +447,7 @@ TEST(Animation, WhatIsScaledToNothingAtRestAppearsWhenItGrows) {
 }
 
 TEST(Animation, WhatNoAnimationScalesIsFlatForGood) {
-    // As of a sheet that is a box scaled by 0, which moves and turns.
+    // The same for a sheet, a box scaled by 0, that moves and rotates.
     for (const bool other : {false, true}) {
         MovingScene scene;
         const int sheet = scene.addBox({{"scale", {1, 0, 1}}});

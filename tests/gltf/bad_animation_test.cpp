@@ -1,5 +1,5 @@
-// Keyframes that are none: the channel is left out, or played where what it says has one meaning,
-// with one warning that names the field and the value. Indices and words are looked at earlier:
+// Invalid keyframes: the channel is left out, or played if its data have only one meaning, with one
+// warning that names the field and the value. Indices and words are checked earlier:
 // tests/cli/bad_animations.cpp.
 #include "preprocess/gltf/gltf_reading.hpp"
 #include "preprocess/reading/animation_reading.hpp"
@@ -18,7 +18,7 @@ constexpr float notANumber = std::numeric_limits<float>::quiet_NaN();
 const char* const input = "animations[0].samplers[0].input";
 const char* const output = "animations[0].samplers[0].output";
 
-/// A box that an animation moves, with samplers[0] to be tampered with.
+/// An animated box, with samplers[0] to be tampered with.
 struct AnimatedBox {
     GltfBuilder gltf;
 
@@ -27,7 +27,7 @@ struct AnimatedBox {
     }
     Json& sampler() { return gltf.json["animations"][0]["samplers"][0]; }
     Json& channel() { return gltf.json["animations"][0]["channels"][0]; }
-    /// A second channel, sound, behind the one to be tampered with.
+    /// Adds a second, sound channel behind the one to be tampered with.
     void addRotation() {
         gltf.animate(0, "rotation");
         Json& animations = gltf.json["animations"];
@@ -56,7 +56,7 @@ struct AnimatedBox {
         auto animation = readAnimation(document, warnings);
         return {std::move(animation), warnings.sentences()};
     }
-    /// Expects the warning, no animation, and the box where it rests.
+    /// Expects the warning, no animation, and the box in its rest pose.
     void expectLeftOut(std::initializer_list<const char*> words) const {
         const Reading reading = read();
         EXPECT_FALSE(reading.animation);
@@ -71,7 +71,7 @@ struct AnimatedBox {
         still.json.erase("animations");
         expectSameTriangles(worldTriangles(sceneOf(gltf)), worldTriangles(sceneOf(still)), 1e-6);
     }
-    /// Expects the warning and that it moves along x so far at times.
+    /// Expects the warning, and these positions along x at these times.
     void expectPlayed(std::initializer_list<const char*> words,
                       const std::vector<std::pair<double, double>>& places) const {
         const Reading reading = read();
@@ -234,7 +234,7 @@ TEST(BadAnimation, ZeroIsNoRotation) {
     AnimatedBox linear("rotation");
     linear.setValues<float>({0, 0, 0, 1, 0, 0, 0, 0}, 4);
     linear.expectLeftOut({output, "(0, 0, 0, 0)", "element 1"});
-    AnimatedBox spline("rotation"); // its tangents may be zero, its values not
+    AnimatedBox spline("rotation"); // its tangents may be zero, but not its values
     spline.sampler()["interpolation"] = "CUBICSPLINE";
     std::vector<float> values(24, 0.0f);
     values[4 + 3] = 1.0f;
@@ -312,7 +312,7 @@ TEST(BadAnimation, SamplersOfNoChannelAreNotLookedAt) {
 }
 
 TEST(BadAnimation, NodesAndAccessorsMustExist) {
-    // Parsing finds them, before an animation is read.
+    // Parsing finds these errors, before an animation is read.
     AnimatedBox noNode;
     noNode.gltf.json["animations"][0]["channels"][0]["target"]["node"] = 7;
     noNode.expectLeftOut({"animations[0].channels[0].target.node", "7"});
@@ -342,7 +342,8 @@ TEST(BadAnimation, TheNextOneIsPlayed) {
 }
 
 TEST(BadAnimation, ManySamplersOfOneAccessorAreReadOnce) {
-    // A thousand nodes that share a hundred thousand keyframes: minutes if each read its own.
+    // A thousand nodes share a hundred thousand keyframes: reading them for each node would take
+    // minutes.
     AnimatedBox scene;
     std::vector<float> times(100000);
     for (std::size_t i = 0; i < times.size(); ++i)

@@ -1,4 +1,4 @@
-// Skins and morph targets that an animation moves, against plain arithmetic.
+// Animated skins and morph targets, against plain arithmetic.
 #include "preprocess/gltf/gltf_reading.hpp"
 #include "preprocess/reading/animation_reading.hpp"
 #include "preprocess/reading/flatten.hpp"
@@ -13,7 +13,7 @@
 namespace edgeshade::test {
 namespace {
 
-/// The scene's one batch that deforms.
+/// The scene's only deforming batch.
 Batch& deformingOf(Scene& scene) {
     Batch* found = nullptr;
     for (Batch& batch : scene.batches)
@@ -25,7 +25,7 @@ Batch& deformingOf(Scene& scene) {
     return *found;
 }
 
-/// A scene of what is built in code, and its animations.
+/// A scene built in code, and its animations.
 struct Moving {
     explicit Moving(const GltfBuilder& gltf)
         : document(parseGltf(gltf.glb(), "test.glb")), scene(flattenScene(document, 0.0)) {}
@@ -51,7 +51,7 @@ int addTimes(GltfBuilder& gltf, const std::vector<float>& times) {
     return gltf.addArray(times, 1, {{"min", {times.front()}}, {"max", {times.back()}}});
 }
 
-/// One channel, an animation of its own.
+/// Adds one channel, as an animation of its own.
 void animate(GltfBuilder& gltf, int node, const std::string& path, const std::vector<float>& times,
              const Json& output, const std::string& interpolation = "LINEAR") {
     gltf.json["animations"].push_back(
@@ -62,8 +62,8 @@ void animate(GltfBuilder& gltf, int node, const std::string& path, const std::ve
             {"interpolation", interpolation}}}}});
 }
 
-/// A tetrahedron with a target that moves corner 1 by (0, 4, 0) and one that moves corner 2 by
-/// (0, 0, 2); its weights go from (0, 1) to (1, 0) in 2 seconds, so interpolated.
+/// A tetrahedron with a target that moves corner 1 by (0, 4, 0) and one that moves corner 2 by (0,
+/// 0, 2). Its weights go from (0, 1) to (1, 0) in 2 seconds, with this interpolation.
 GltfBuilder morphing(const std::string& interpolation, const Json& node = Json::object()) {
     GltfBuilder gltf;
     Json primitive = gltf.primitiveOf(tetrahedron());
@@ -92,8 +92,8 @@ std::vector<WorldTriangle> tetrahedronWith(const glm::vec3& corner1, const glm::
     return worldTriangles(sceneOf(gltf));
 }
 
-/// A box whose upper half hangs on a joint that turns about z by 90 degrees in 1 second, and moves
-/// up by 2; its lower half on a joint that stands.
+/// A box whose upper half follows a joint that rotates about z by 90 degrees in 1 second, and moves
+/// up by 2; its lower half follows a resting joint.
 GltfBuilder bending(const Json& meshNode = Json::object()) {
     GltfBuilder gltf;
     const int upper = gltf.addNode({{"translation", {0, 1, 0}}}, false);
@@ -154,7 +154,7 @@ TEST(Deformation, WeightsMoveByLinesStepsAndSplines) {
 TEST(Deformation, AtRestWeightsOfTheNodeCountAndOfPosesTheOthersWeights) {
     Moving moving(morphing("LINEAR", {{"weights", {0.25, 0.5}}}));
     expectSameTriangles(worldTriangles(moving.scene), tetrahedronWith({1, 1, 0}, {0, 1, 1}), 1e-6);
-    // Another animation leaves them there.
+    // Another animation leaves the weights unchanged.
     GltfBuilder other = morphing("LINEAR", {{"weights", {0.25, 0.5}}});
     animate(other, 0, "translation", {0}, other.addArray<float>({5, 0, 0}, 3));
     Moving both(other);
@@ -183,7 +183,8 @@ TEST(Deformation, WhatNoAnimationMovesIsStatic) {
 }
 
 TEST(Deformation, SkinsGoWithTheirJointsAndNormalsFollow) {
-    Moving moving(bending({{"translation", {99, 0, 0}}})); // which does not count
+    Moving moving(bending({{"translation", {99, 0, 0}}})); // the mesh node's own transform does not
+                                                           // count
     const std::vector<glm::vec3> rest = moving.deforming().geometry->positions;
     const std::vector<glm::vec3> restNormals = moving.deforming().geometry->normals;
     EXPECT_EQ(moving.at(1.0).back().reshaped, true);
@@ -191,7 +192,7 @@ TEST(Deformation, SkinsGoWithTheirJointsAndNormalsFollow) {
     ASSERT_EQ(bent.geometry->positions.size(), rest.size());
     for (std::size_t v = 0; v < rest.size(); ++v) {
         const glm::vec3 &p = rest[v], &n = restNormals[v];
-        // About (0, 1, 0), which is at (0, 3, 0) then.
+        // About (0, 1, 0), which by then is at (0, 3, 0).
         const bool upper = p.y > 0;
         expectNear(bent.geometry->positions[v], upper ? glm::vec3(-(p.y - 1), p.x + 3, p.z) : p);
         expectNear(bent.geometry->normals[v], upper ? glm::vec3(-n.y, n.x, n.z) : n);
@@ -208,7 +209,7 @@ TEST(Deformation, ThePoseAtRestIsTheSceneToTheLastBit) {
             EXPECT_EQ(moving.scene.batches[b].geometry->positions,
                       rest.batches[b].geometry->positions);
         }
-        // And back from elsewhere.
+        // Back to the rest pose from another one.
         moving.at(0.3);
         place(moving.scene, poseAt({}, moving.scene, 0.0));
         for (std::size_t b = 0; b < rest.batches.size(); ++b)
@@ -223,7 +224,7 @@ TEST(Deformation, FurtherSetsOfJointsCount) {
     const std::size_t count = box(glm::vec3(1.0f)).positions.size();
     std::vector<std::uint8_t> joints;
     std::vector<float> weights;
-    for (std::size_t v = 0; v < count; ++v) { // the upper joint, as much as all others
+    for (std::size_t v = 0; v < count; ++v) { // the upper joint counts as much as all others
         joints.insert(joints.end(), {1, 0, 0, 0});
         weights.insert(weights.end(), {1, 0, 0, 0});
     }
@@ -251,7 +252,7 @@ TEST(Deformation, VerticesAreAlikeWhereAllThatMovesThemIs) {
     }
     EXPECT_EQ(distinct, 8u) << "of 24 vertices, three a corner";
 
-    // Two halves at one place, on different joints, are not.
+    // Two halves at one place, on different joints, are not welded.
     GltfBuilder torn = bending();
     std::vector<std::uint8_t> joints(4 * alike.size(), 0);
     for (std::size_t v = 0; v < alike.size(); v += 2)
@@ -333,7 +334,7 @@ TEST(Deformation, TheScenesThatShipAreTheAuthoredOnes) {
 namespace {
 
 /// A tetrahedron on one joint, both below an armature that an animation scales from (1, 1, 1) to
-/// `scale` within a second; at rest it has `rest`.
+/// `scale` within a second; its rest scale is `rest`.
 GltfBuilder scaledArmature(const Json& rest, const std::vector<float>& scale) {
     GltfBuilder gltf;
     const int joint = gltf.addNode(Json::object(), false);

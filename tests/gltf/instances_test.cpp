@@ -1,4 +1,4 @@
-// EXT_mesh_gpu_instancing: a node's mesh at many places, each drawn and casting.
+// EXT_mesh_gpu_instancing: a node's mesh in many places, each of which is drawn and casts.
 #include "preprocess/base/limits.hpp"
 #include "preprocess/gltf/gltf_reading.hpp"
 #include "preprocess/mesh/topology.hpp"
@@ -25,7 +25,7 @@ Json instancing(const Json& attributes) {
     return {{"EXT_mesh_gpu_instancing", {{"attributes", attributes}}}};
 }
 
-/// Three tetrahedra of one node: moved, turned and scaled, the last mirrored.
+/// Three tetrahedra of one node: moved, rotated and scaled, the last mirrored.
 struct Instances {
     GltfBuilder gltf;
     int node = 0;
@@ -50,7 +50,7 @@ struct Instances {
     }
 };
 
-/// The same, each of them a node of its own.
+/// The same, each as a node of its own.
 GltfBuilder asNodes() {
     GltfBuilder gltf;
     const int mesh = gltf.addShape(tetrahedron());
@@ -94,7 +94,7 @@ TEST(Instances, MayHaveSomeAttributesAlone) {
     moved.attributes().erase("ROTATION");
     moved.attributes().erase("SCALE");
     EXPECT_EQ(worldBounds(sceneOf(moved.gltf)).high, glm::dvec3(6, 8, 4));
-    Instances counted; // an attribute of its own tells how many there are
+    Instances counted; // a custom attribute gives the number of instances
     counted.attributes() = {{"_ID", counted.gltf.addArray<float>({1, 2}, 1)}};
     EXPECT_EQ(sceneOf(counted.gltf).triangleCount(), 8u);
 }
@@ -124,7 +124,7 @@ TEST(Instances, RotationsMayBeSmallIntegers) {
     shorts.attributes()["ROTATION"] = shorts.gltf.addArray<std::int16_t>(
         {0, 0, 0, 32767, 0, 0, 23170, 23170, 0, 0, 0, 32767}, 4, {{"normalized", true}});
     expectSameTriangles(worldTriangles(sceneOf(shorts.gltf)), expected, 1e-5);
-    Instances bytes; // 90/127 is no cosine of 45 degrees, but its direction is right
+    Instances bytes; // 90/127 is not the cosine of 45 degrees, but the direction is right
     bytes.attributes()["ROTATION"] = bytes.gltf.addArray<std::int8_t>(
         {0, 0, 0, 127, 0, 0, 90, 90, 0, 0, 0, 127}, 4, {{"normalized", true}});
     expectSameTriangles(worldTriangles(sceneOf(bytes.gltf)), expected, 1e-5);
@@ -141,7 +141,7 @@ TEST(Instances, OfQuantizedMeshes) {
                   {"scale", {0.01, 0.01, 0.01}},
                   {"extensions", instancing({{"TRANSLATION", translations}})}});
     EXPECT_EQ(sceneOf(gltf).triangleCount(), 2u);
-    EXPECT_NEAR(worldBounds(sceneOf(gltf)).high.x, 1.05, 1e-6); // scaled with the node
+    EXPECT_NEAR(worldBounds(sceneOf(gltf)).high.x, 1.05, 1e-6); // scaled by the node
 }
 
 TEST(Instances, FollowAnAnimatedNode) {
@@ -159,7 +159,7 @@ TEST(Instances, AreCountedBeforeTheyAreMade) {
     limits.triangles = 11;
     expectInputError([&] { flattenScene(parseGltf(scene.gltf.glb(), "test.glb", limits), 0.0); },
                      {"nodes[0] brings the scene to 12 triangles", "limit is 11"});
-    // A count that is a mere claim.
+    // A count that is only claimed.
     Instances many;
     many.attributes() = {{"TRANSLATION", many.gltf.addAccessor(-1, 5126, 16'000'000, "VEC3")}};
     many.expectRefused({"nodes[0] brings the scene to 64000000 triangles"});

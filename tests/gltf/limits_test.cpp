@@ -1,5 +1,4 @@
-// What a file may ask for: each limit refuses in time, in a sentence, and lets through what is at
-// it.
+// Limits on files: each refuses quickly, in a sentence, and accepts a value at the limit.
 #include "preprocess/gltf/gltf_reading.hpp"
 #include "preprocess/mesh/weld.hpp"
 #include "preprocess/reading/animation_reading.hpp"
@@ -33,14 +32,14 @@ void expectRefused(const Bytes& glb, const ReadingLimits& limits,
     expectInputError([&] { flattened(glb, limits); }, words);
 }
 
-/// The most memory that this process has had, in bytes.
+/// Peak memory of this process in bytes.
 std::size_t peakBytes() {
     rusage usage{};
     ::getrusage(RUSAGE_SELF, &usage);
     return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
 }
 
-/// Expects a refusal that takes no more than a few megabytes, within the usual limits.
+/// Expects a refusal within the usual limits that takes only a few megabytes.
 void expectBombRefused(const Bytes& glb, std::initializer_list<const char*> words) {
     const std::size_t before = peakBytes();
     expectRefused(glb, {}, words);
@@ -56,7 +55,7 @@ GltfBuilder repeated(const Shape& shape, int count) {
     return gltf;
 }
 
-/// Nodes below each other, the last with a mesh.
+/// A chain of nodes below each other, the last with a mesh.
 GltfBuilder chainOf(int depth) {
     GltfBuilder gltf;
     int node = gltf.addNode({{"mesh", gltf.addShape(tetrahedron())}}, depth == 1);
@@ -163,7 +162,7 @@ TEST(Limits, ChainsOfNodesFarBelowTheStackAreWalked) {
 }
 
 TEST(Limits, MembersOfAJsonObject) {
-    // Objects are searched one by one: without a limit this would take the square of a million.
+    // Objects are searched linearly: without a limit this would take a million squared steps.
     std::string json = R"({"asset":{"version":"2.0"},"extras":{"a":0)";
     for (int i = 0; i < 1'000'000; ++i)
         json += ",\"" + std::to_string(i) + "\":0";
@@ -226,7 +225,7 @@ TEST(Bombs, SkinsAreReadOnceForAllNodes) {
     for (int i = 0; i < 10'000; ++i)
         gltf.addNode({{"mesh", mesh}, {"skin", 0}});
     gltf.json["skins"] = {{{"joints", std::vector<int>(10'000, 0)}}};
-    // A skin for each node would be 12.8 GB.
+    // One skin per node would be 12.8 GB.
     const std::size_t before = peakBytes();
     EXPECT_EQ(flattened(gltf.glb(), {}).triangleCount(), 40'000u);
     EXPECT_LT(peakBytes() - before, std::size_t{512} << 20);
@@ -244,7 +243,7 @@ TEST(Bombs, MeshoptViewsOfTheSameBytesAreCounted) {
 
 namespace {
 
-/// The box in Draco, the stream replaced by `change`.
+/// The box in Draco, with its stream changed by `change`.
 Bytes dracoBomb(const std::function<void(Bytes&)>& change) {
     GltfBuilder gltf;
     gltf.useExtension(dracoExtension);
@@ -256,7 +255,7 @@ Bytes dracoBomb(const std::function<void(Bytes&)>& change) {
     return gltf.glb();
 }
 
-/// A number of 32 bits as Draco shortens it.
+/// A 32-bit number in Draco's variable-length encoding.
 Bytes shortened(std::uint32_t value) {
     Bytes bytes;
     for (; value >= 128; value >>= 7)
@@ -265,7 +264,7 @@ Bytes shortened(std::uint32_t value) {
     return bytes;
 }
 
-/// The head of a stream of version 2.2: 1 for edgebreaker, 0 for sequential.
+/// The header of a stream of version 2.2: 1 for edgebreaker, 0 for sequential.
 Bytes dracoHead(std::uint8_t method) {
     return {'D', 'R', 'A', 'C', 'O', 2, 2, 1, method, 0, 0};
 }
@@ -307,12 +306,12 @@ TEST(Bombs, DracoWithinWhatBytesCanHoldIsCounted) {
         stream.push_back(0);
         append(stream, shortened(500'000));
         append(stream, shortened(1'000'000));
-        stream.push_back(255); // attributes with a connectivity of their own
+        stream.push_back(255); // attributes with their own connectivity
         append(stream, shortened(1'000'000));
         append(stream, shortened(0));
         stream.resize(2000);
     });
-    expectBombRefused(glb, {dracoExtension}); // the stream itself is no good
+    expectBombRefused(glb, {dracoExtension}); // the stream itself is invalid
     expectRefused(glb, withMemory(std::uint64_t{1} << 30), {dracoExtension, "bytes of memory"});
     ReadingLimits limits;
     limits.triangles = 999'999;
@@ -350,7 +349,7 @@ TEST(Bombs, ValuesOfAnimationsAreCounted) {
 }
 
 TEST(Bombs, ATinyWeldToleranceFarOutFillsNoCell) {
-    // Compared each with each these would take hours.
+    // Comparing each with each would take hours.
     std::vector<glm::vec3> positions;
     for (int i = 0; i < 200'000; ++i)
         positions.emplace_back(1e6f + static_cast<float>(i), -5.0f, static_cast<float>(i % 3));

@@ -48,7 +48,7 @@ TEST(Material, UnlitOnesAreTold) {
 }
 
 TEST(Material, TexturesThatAreNotDrawnMayBeBroken) {
-    // What isn't used isn't read.
+    // Unused parts aren't read.
     GltfBuilder gltf;
     gltf.addMaterial(
         {{"normalTexture", Json::object()},
@@ -139,7 +139,8 @@ TEST(Material, TextureTransformsAreBakedIntoTexcoords) {
     gltf.useExtension("KHR_texture_transform", false);
     gltf.addImage({{"uri", dataUri(smallPng(), "image/png")}});
     gltf.json["textures"] = {{{"source", 0}}};
-    // Scale by (2, 4), turn by 90 degrees, move by (0.5, 0.25): u' = 0.5 + 4 v, v' = 0.25 - 2 u.
+    // Scales by (2, 4), rotates by 90 degrees, moves by (0.5, 0.25): u' = 0.5 + 4 v, v' = 0.25 - 2
+    // u.
     gltf.addMaterial({{"pbrMetallicRoughness",
                        {{"baseColorTexture",
                          {{"index", 0},

@@ -1,4 +1,4 @@
-// What exporters write that glTF does not allow, and that has one meaning all the same.
+// Output of exporters that glTF forbids, but that has only one meaning.
 #include "preprocess/gltf/utf8.hpp"
 #include "tests/support/gltf_builder.hpp"
 #include "tests/support/input_error.hpp"
@@ -10,7 +10,7 @@
 namespace edgeshade::test {
 namespace {
 
-/// A box, textured and animated, below a node, with a skin that nobody uses.
+/// A box, textured and animated, below a node, with an unused skin.
 GltfBuilder sceneOfWholeNumbers() {
     GltfBuilder gltf;
     gltf.addImage({{"uri", dataUri(smallPng(), "image/png")}});
@@ -29,7 +29,7 @@ GltfBuilder sceneOfWholeNumbers() {
     return gltf;
 }
 
-/// Writes every whole number as 96.0 is written, but in `skipped`.
+/// Writes every whole number in the form 96.0, except in `skipped`.
 void makeReal(Json& json, const std::string& skipped) {
     if (json.is_number_integer())
         json = json.get<double>();

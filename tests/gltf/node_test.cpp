@@ -187,7 +187,7 @@ TEST(Node, DescendantsOfAnAnimatedNodeFollowIt) {
     const Scene scene = sceneOf(gltf);
     ASSERT_EQ(scene.batches.size(), 1u);
     EXPECT_EQ(scene.batches[0].node, animatedNode);
-    // Relative to the animated node, so that turning it turns them.
+    // Relative to the animated node, so that rotating it rotates them.
     EXPECT_EQ(*std::min_element(scene.batches[0].geometry->positions.begin(),
                                 scene.batches[0].geometry->positions.end(),
                                 [](auto& a, auto& b) { return a.x < b.x; }),
@@ -230,7 +230,7 @@ TEST(Node, AnInvisibleNodeAndWhatIsBelowItAreLeftOut) {
     EXPECT_EQ(scene.triangleCount(), 4u);
     EXPECT_TRUE(scene.warnings.sentences().empty());
     gltf.json["nodes"][1]["extensions"] = {{"KHR_node_visibility", Json::object()}};
-    EXPECT_EQ(sceneOf(gltf).triangleCount(), 28u); // visible where it does not say
+    EXPECT_EQ(sceneOf(gltf).triangleCount(), 28u); // visible by default
     gltf.json["nodes"][1]["extensions"] = {{"KHR_node_visibility", {{"visible", "no"}}}};
     expectInputError([&] { sceneOf(gltf); },
                      {"nodes[1].extensions.KHR_node_visibility.visible is \"no\""});

@@ -1,4 +1,4 @@
-// Assets that glTF 2.0 allows and few writers make: they must be read.
+// Assets that glTF 2.0 allows but few writers make: they must be read.
 #include "preprocess/gltf/glb.hpp"
 #include "tests/support/gltf_builder.hpp"
 #include "tests/support/scene_triangles.hpp"
@@ -33,7 +33,7 @@ TEST(OddButValid, AnAssetMayHoldNothing) {
 }
 
 TEST(OddButValid, AnAnimationMayTargetNoNode) {
-    // As KHR_animation_pointer does.
+    // The target that KHR_animation_pointer uses.
     expectStillRead([](Json& json) {
         json["animations"][0]["channels"][0]["target"] = {{"path", "pointer"}};
     });
@@ -102,7 +102,7 @@ TEST(OddButValid, AGlbMayHaveFurtherChunks) {
 }
 
 TEST(OddButValid, AStridedViewMayEndWithItsLastElement) {
-    // Two interleaved attributes: the last element has no padding behind it.
+    // Two interleaved attributes, with no padding behind the last element.
     GltfBuilder gltf;
     const std::vector<float> values = {0, 0, 0, 9, 1, 0, 0, 9, 0, 1, 0};
     const int positions =

@@ -93,7 +93,8 @@ TEST(PackContent, ExternalBuffersAndImagesAreEmbedded) {
 }
 
 TEST(PackContent, ImagesOfAFileWithoutBuffersOrViewsAreEmbedded) {
-    // Members more or less, as the first view is a member that may move all others in memory.
+    // Different numbers of members, since adding the first view, itself a member, may move all
+    // others in memory.
     for (int more = 0; more < 8; ++more)
         for (const bool hasBuffer : {false, true}) {
             GltfBuilder gltf;
@@ -128,7 +129,7 @@ TEST(PackContent, SeveralBuffersBecomeOne) {
                                            componentTypeOf<float>, 3, "VEC3",
                                            {{"min", {0, 0, 5}}, {"max", {1, 1, 5}}});
     gltf.addNode({{"mesh", gltf.addMesh({{"attributes", {{"POSITION", positions}}}})}});
-    gltf.binary.push_back(0); // so that the second one needs padding
+    gltf.binary.push_back(0); // so that the second blob needs padding
     gltf.json["buffers"] = {Json::object(),
                             {{"byteLength", shifted.size()}, {"uri", dataUri(shifted)}}};
     const Bytes asset = gltf.glb();
@@ -205,7 +206,7 @@ TEST(PackContent, AccessorsNeedNoViews) {
 }
 
 TEST(PackContent, IndicesOfNothingNameNothingAfterwards) {
-    // The first view and accessor of shadow data, as long as there are none.
+    // Refers to the first view and accessor of the shadow data, which don't exist yet.
     GltfBuilder gltf = variedScene();
     const std::size_t accessor = gltf.json["accessors"].size();
     gltf.addImage({{"bufferView", gltf.json["bufferViews"].size()}});
@@ -221,7 +222,7 @@ TEST(PackContent, IndicesOfNothingNameNothingAfterwards) {
 }
 
 TEST(PackContent, AViewPastItsBuffersEndIsCut) {
-    // Used by nothing, and yet it would reach into the shadow data.
+    // Nothing uses it, but it would reach into the shadow data.
     for (const std::size_t past : {0, 100}) {
         GltfBuilder gltf = variedScene();
         const std::size_t length = gltf.binary.size();
@@ -282,7 +283,7 @@ TEST(PackContent, AnImageThatCantBeEmbeddedStaysAsItIsWithAWarning) {
             EXPECT_TRUE(result.warnings[i].ends_with("; it is not embedded."));
         }
         EXPECT_NE(result.warnings[0].find("gone.png' does not exist"), std::string::npos);
-        // Packing it again finds the same.
+        // Packing it again gives the same.
         EXPECT_EQ(packed(result.glb, encoding, {}, folder / "scene.glb"), result.glb);
     }
 }

@@ -6,7 +6,7 @@
 namespace edgeshade::test {
 namespace {
 
-/// Whatever the encoding, reading a packed file gives what packing it was about.
+/// Expects that reading a packed file gives the packed scene, for every encoding.
 void expectRoundTrip(const Bytes& asset, const CasterSettings& settings = {}) {
     const auto expected = built(asset, settings);
     for (const Encoding encoding : everyEncoding) {

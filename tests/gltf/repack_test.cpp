@@ -10,7 +10,8 @@
 namespace edgeshade::test {
 namespace {
 
-/// Packing with any encoding after packing with any other gives the bytes of packing once.
+/// Expects that packing with any encoding after packing with any other gives the same bytes as
+/// packing once.
 void expectRepackable(const Bytes& asset) {
     for (const Encoding first : everyEncoding)
         for (const Encoding second : everyEncoding) {
@@ -70,7 +71,8 @@ TEST(Repack, CompressedVerticesPackAgain) {
 }
 
 TEST(Repack, AFileWhoseShadowDataWereMovedIsRefusedOrReadRightly) {
-    // As a tool that sorts buffer views might leave it: shadow data first, geometry behind.
+    // The order that a tool which sorts buffer views might produce: shadow data first, then
+    // geometry.
     const GltfBuilder source = variedScene();
     GlbParts parts(packed(source.glb(), Encoding::expanded));
     const std::size_t geometry = source.binary.size();
@@ -132,7 +134,7 @@ TEST(Repack, TheNameMayBeThereWithoutTheExtension) {
 }
 
 TEST(Repack, AFileWhoseShadowDataAreUsedElsewhereIsRefused) {
-    // Removed with the shadow data, they would be others after packing.
+    // If they were removed with the shadow data, their indices would be different after packing.
     GltfBuilder gltf = variedScene();
     const int unused = gltf.addArray(std::vector<std::uint8_t>(4), 1);
     const GlbParts sound(packed(gltf.glb(), Encoding::indexed));

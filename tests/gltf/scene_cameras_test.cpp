@@ -1,4 +1,4 @@
-// Cameras of a file: where its nodes place them, what they see, and how they are found.
+// Cameras of a file: their placement by nodes, their view, and how they are found.
 #include "src/shadow/view/scene_cameras.hpp"
 
 #include "tests/support/gltf_builder.hpp"
@@ -22,7 +22,7 @@ Json orthographic(double ymag) {
             {"orthographic", {{"xmag", 7.0}, {"ymag", ymag}, {"znear", 0.0}, {"zfar", 1.0}}}};
 }
 
-/// A box, and cameras that these nodes place.
+/// A box, and cameras placed by these nodes.
 Scene sceneWith(const Json& cameras, const std::vector<Json>& nodes) {
     GltfBuilder gltf;
     gltf.addShapeNode(box(glm::vec3(1.0f)));
@@ -39,7 +39,7 @@ SceneCamera cameraUnder(Json node, const Json& camera = perspective(1.0)) {
     return scene.cameras.at(0);
 }
 
-/// Where a point is in the picture, from -1 to 1 both ways.
+/// Position of a point in the picture, from -1 to 1 in both directions.
 glm::dvec2 projected(const Frustum& frustum, const glm::dvec3& point) {
     const glm::dvec4 clip =
         clipFromView(frustum, 0.01, 100.0) * frustum.viewFromWorld * glm::dvec4(point, 1.0);
@@ -149,7 +149,7 @@ TEST(SceneCameras, OneToOrbitFromLooksTheSameWay) {
     EXPECT_LT(beside.to.x, 5.0) << "what is behind it is nothing to look at";
 }
 
-/// What is warned of where one of two cameras is broken.
+/// The warning if one of two cameras is broken.
 std::string warnedOf(const Json& node, const Json& camera) {
     Json broken = node;
     broken["camera"] = 1;

@@ -1,5 +1,4 @@
-// Lights of a file (KHR_lights_punctual): where its nodes place them, and what they are in a
-// picture.
+// Lights of a file (KHR_lights_punctual): their placement by nodes, and their effect in a picture.
 #include "src/shadow/lights/scene_lights.hpp"
 
 #include "tests/support/gltf_builder.hpp"
@@ -45,7 +44,7 @@ TEST(SceneLights, ADirectionalLightShinesAlongItsNodesMinusZ) {
         {{"translation", {5, 1, 0}}, {"rotation", turnedAroundY}},
         {{"type", "directional"}, {"color", {1.0, 0.5, 0.0}}, {"intensity", 3.0}, {"range", 2.0}});
     EXPECT_EQ(sun.position.w, 0.0);
-    expectNear(glm::dvec3(sun.position), {1, 0, 0}); // towards it
+    expectNear(glm::dvec3(sun.position), {1, 0, 0}); // towards the sun
     expectNear(sun.color, {3, 1.5, 0});
     EXPECT_TRUE(sun.photometric);
     EXPECT_FALSE(sun.hasRange());
@@ -88,7 +87,8 @@ TEST(SceneLights, ASpotHasACone) {
 }
 
 TEST(SceneLights, AnglesMayBeRoundedToFloats) {
-    const double quarter = 1.57079637; // a float's right angle, a little more than one
+    const double quarter = 1.57079637; // a right angle in floats, slightly larger than the exact
+                                       // one
     const Light wide = lightUnder(
         Json::object(),
         {{"type", "spot"}, {"spot", {{"innerConeAngle", quarter}, {"outerConeAngle", quarter}}}});
@@ -142,16 +142,16 @@ TEST(SceneLights, WhatScalesBy0LeavesTheirDirections) {
     };
     for (const Json& scale : {Json{1, 0, 1}, Json{0, 1, 1}, Json{1, 1, 0}, Json{0, 0, 0},
                               Json{2, 0, 0}, Json{0, 0, -3}}) {
-        const double sign = scale[2] == -3 ? -1.0 : 1.0; // as of one that is not flat
+        const double sign = scale[2] == -3 ? -1.0 : 1.0; // as for a scale without zeros
         expectNear(axisOf({{"rotation", turned}, {"scale", scale}}), sign * down);
     }
-    // Of what a flat parent leaves of them; where that is nothing, of their rotations.
+    // A flat parent leaves part of the direction; if nothing is left, the rotations decide.
     expectNear(axisOf({{"rotation", turned}}, {{"scale", {0, 0, 0}}}), down);
     expectNear(axisOf({{"rotation", turned}}, {{"scale", {1, 0, 1}}}), {0, 0, -1});
     expectNear(
         axisOf({{"rotation", {-std::sqrt(0.5), 0, 0, std::sqrt(0.5)}}}, {{"scale", {1, 0, 1}}}),
         {0, -1, 0});
-    // A matrix tells as much where one column is 0.
+    // A matrix with a zero column gives as much.
     expectNear(axisOf({{"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1}}}), {0, 0, -1});
 }
 

@@ -10,8 +10,8 @@ std::vector<float> matrixOfTranslation(float x, float y, float z) {
     return {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, z, 1};
 }
 
-/// A tetrahedron whose corner 1 hangs on joint 1 and whose others hang on joint 0. Joint 0 is at
-/// rest where it was bound; joint 1 stands 2 above where it was bound.
+/// A tetrahedron with corner 1 on joint 1 and the other corners on joint 0. At rest joint 0 is
+/// where it was bound, joint 1 is 2 above.
 GltfBuilder skinnedScene() {
     GltfBuilder gltf;
     const int second = gltf.addNode({{"translation", {0, 3, 0}}}, false);
@@ -99,7 +99,8 @@ TEST(Skin, VerticesWithoutWeightsGoWithTheirFirstJoint) {
 }
 
 TEST(Skin, WhatItsNodeMirrorsShowsItsOtherSide) {
-    // The joints leave it where it was; front is what the mesh's node says (glTF 2.0, 3.7.4).
+    // The joints keep it in place; the mesh's node decides which side is the front (glTF 2.0,
+    // 3.7.4).
     GltfBuilder gltf = skinnedScene();
     const auto plain = worldTriangles(sceneOf(gltf));
     gltf.json["nodes"].back()["scale"] = {-1, 1, 1};
@@ -108,7 +109,7 @@ TEST(Skin, WhatItsNodeMirrorsShowsItsOtherSide) {
     for (std::size_t i = 0; i < turned.size(); ++i)
         EXPECT_LT(glm::distance(outside(turned[i]), -outside(plain[i])), 1e-6);
     gltf.json["nodes"].back()["scale"] = {1, 1, 1};
-    gltf.json["nodes"][1]["scale"] = {-1, 1, 1}; // of the first joint alone
+    gltf.json["nodes"][1]["scale"] = {-1, 1, 1}; // only of the first joint
     const auto inside = worldTriangles(sceneOf(gltf));
     EXPECT_LT(inside[0][0].position.x, 12.0);
     EXPECT_EQ(inside[0][1].texcoord, plain[0][1].texcoord) << "no corners are swapped";

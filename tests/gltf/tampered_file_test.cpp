@@ -19,7 +19,7 @@ Json& batchOf(GlbParts& parts) {
     return extensionOf(parts)["batches"][0];
 }
 
-/// Where the first element of the batch's `key` lies.
+/// The bytes of the first element of the batch's `key`.
 std::uint8_t* bytesAt(GlbParts& parts, const char* key) {
     return parts.binary.data() + parts.offsetOf(batchOf(parts)[key].get<int>());
 }
@@ -39,7 +39,7 @@ void expectRefused(Encoding encoding, const Tamper& tamper,
     expectInputError([&] { readBack(glb); }, words);
 }
 
-/// Points the batch's `key` to other bytes, at the end of the buffer.
+/// Lets the batch's `key` refer to other bytes, at the end of the buffer.
 void replaceBytes(GlbParts& parts, const char* key, const Bytes& bytes) {
     Json& accessor = parts.json["accessors"][batchOf(parts)[key].get<int>()];
     Json& view = parts.json["bufferViews"][accessor["bufferView"].get<int>()];
@@ -63,7 +63,7 @@ EdgeList edgesOf(GlbParts& parts) {
         .edges;
 }
 
-/// Expects that the packed scene is refused with other edges.
+/// Expects that the packed scene is refused with changed edges.
 void expectRefusedEdges(const std::function<void(EdgeList&)>& change,
                         std::initializer_list<const char*> words) {
     expectRefused(
@@ -301,7 +301,7 @@ TEST(TamperedFile, EdgesOfFewerOrMoreOppositeVerticesThanThereAreAreRefused) {
     for (const std::uint32_t first : {0u, 200u})
         expectRefused(Encoding::indexed, [&](GlbParts& parts) { replaceCounts(parts, first); },
                       {"batches[0].oppositeCounts"});
-    // What the others have then is shifted by one.
+    // The other counts are then shifted by one.
     expectRefused(Encoding::indexed, [&](GlbParts& parts) { replaceCounts(parts, 1); },
                   {"batches[0]."});
 }
@@ -333,7 +333,8 @@ TEST(TamperedFile, BytesThatDoNotDecodeAreRefused) {
 }
 
 TEST(TamperedFile, AnyByteOfTheStreamsMayBeAnything) {
-    // What still decodes to edges is taken; nothing else happens than a refusal.
+    // Data that still decode to edges are accepted; anything else is refused and nothing else
+    // happens.
     const GlbParts sound(packed(variedScene().glb(), Encoding::indexed));
     std::size_t refused = 0, all = 0;
     for (const char* key : {"edgeVertices", "oppositeCounts", "oppositeVertices"}) {

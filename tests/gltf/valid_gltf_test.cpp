@@ -1,4 +1,4 @@
-// Khronos' validator over packed files drawn in code; skipped where it isn't installed.
+// Runs Khronos' validator over packed files drawn in code; skipped if it isn't installed.
 #include "tests/support/child_process.hpp"
 #include "tests/support/draco_encoding.hpp"
 #include "tests/support/meshopt_encoding.hpp"

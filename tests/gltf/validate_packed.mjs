@@ -1,9 +1,9 @@
-// Runs Khronos' validator over GLB files. One line a file, the errors below it; ends with status 1
-// if any file has an error.
+// Runs Khronos' validator over GLB files. Prints one line per file, with its errors below; ends
+// with status 1 if any file has an error.
 //
 //   node validate_packed.mjs [--files-missing] FILE.glb...
 //
-// --files-missing: files that they name are known not to be there.
+// --files-missing: external files are known to be missing.
 import { readFile } from 'node:fs/promises';
 import { basename } from 'node:path';
 import validator from 'gltf-validator';

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Packs every scene of the given folders with every encoding and runs Khronos' validator over the
-# results. Status 77: skipped, as the validator isn't installed.
+# results. Status 77: skipped, because the validator isn't installed.
 #
 #   validate_packed_scenes.sh PROGRAM FOLDER_OF_THE_VALIDATOR FOLDER_OF_SCENES...
 set -eu

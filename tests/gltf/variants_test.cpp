@@ -11,7 +11,7 @@
 namespace edgeshade::test {
 namespace {
 
-/// A box, opaque by itself and as "day", blended as "night"; "dusk" says nothing of it.
+/// A box, opaque by itself and as "day", blended as "night"; "dusk" doesn't mention it.
 GltfBuilder sceneOfVariants() {
     GltfBuilder gltf;
     gltf.useExtension("KHR_materials_variants");
@@ -79,7 +79,7 @@ TEST(Variants, BrokenOnesAreWarnedOf) {
     EXPECT_NE(warnings[0].find("meshes[0].primitives[0].extensions.KHR_materials_variants.mappings["
                                "0].material is 7, but there are 3 materials"),
               std::string::npos);
-    EXPECT_TRUE(sceneIn(gltf, "").warnings.sentences().empty()); // what isn't used isn't read
+    EXPECT_TRUE(sceneIn(gltf, "").warnings.sentences().empty()); // unused parts aren't read
     gltf.json["extensions"]["KHR_materials_variants"]["variants"] = {{{"name", 7}}, "night"};
     EXPECT_EQ(variantNames(parseGltf(gltf.glb(), "test.glb")), (std::vector<std::string>{"", ""}));
 }

@@ -32,11 +32,11 @@ TEST(WeldChoice, BordersThatNearlyMeetAreClosed) {
     EXPECT_EQ(choice.before.quads, 2 * 6u + 24u); // six diagonals, and borders
     EXPECT_EQ(choice.after.quads, 18u);           // edges of a closed box, one quad each
     EXPECT_GT(choice.tolerance, 1e-5);
-    EXPECT_LT(choice.tolerance, 1e-4); // no more than is needed, by a step
+    EXPECT_LT(choice.tolerance, 1e-4); // no more than necessary, to within one step
 }
 
 TEST(WeldChoice, WhatIsFartherApartThanTheShareStaysOpen) {
-    const WeldChoice choice = chosenFor(openedBox(1e-3f)); // of a diagonal of 3.5
+    const WeldChoice choice = chosenFor(openedBox(1e-3f)); // for a diagonal of 3.5
     EXPECT_EQ(choice.tolerance, 0.0);
     EXPECT_EQ(choice.after.borders, choice.before.borders);
 }
@@ -46,7 +46,7 @@ TEST(WeldChoice, WhatIsClosedNeedsNone) {
 }
 
 TEST(WeldChoice, NothingIsWeldedThatWouldDegenerateMoreThanItCloses) {
-    // Slivers as thin as the gap: they would lose their area, and close nothing.
+    // Slivers as thin as the gap: welding them would lose their area, and close nothing.
     GltfBuilder gltf = openedBox(1e-5f);
     Shape slivers;
     for (std::uint32_t i = 0; i < 40; ++i) {

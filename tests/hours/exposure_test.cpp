@@ -28,7 +28,7 @@ TEST(Exposure, IsWeighedByArea) {
     EXPECT_EQ(all.min, 1.0);
     EXPECT_EQ(all.max, 2.0);
     EXPECT_DOUBLE_EQ(all.mean, (1.0 * 1.0 + 3.0 * 2.0 + 4.0 * 1.5) / 8.0);
-    EXPECT_EQ(all.areaAboveThreshold, 87.5); // 1.5 hours are enough for 1.5
+    EXPECT_EQ(all.areaAboveThreshold, 87.5); // 1.5 hours meet a threshold of 1.5
 }
 
 TEST(Exposure, ThresholdsAreMetByWholeSteps) {
@@ -51,7 +51,7 @@ TEST(Exposure, HistogramsHoldAllArea) {
     const auto bins = histogramOf(fourPixels(), minutes(10), 1.0, 2);
     ASSERT_EQ(bins.size(), 2u);
     EXPECT_EQ(bins[0].area, 0.0);
-    EXPECT_EQ(bins[1].area, 8.0); // two hours, too, which the last bin ends with
+    EXPECT_EQ(bins[1].area, 8.0); // including two hours, the end of the last bin
     EXPECT_EQ(bins[1].from, 1.0);
     EXPECT_EQ(bins[1].to, 2.0);
     EXPECT_EQ(histogramOf(fourPixels(), minutes(10), 1.25, 2)[0].area, 1.0);

@@ -1,4 +1,4 @@
-// Parts as files, hostile ones too, and what they become together.
+// Parts as files, including hostile ones, and merging them.
 #include "preprocess/base/error.hpp"
 #include "src/hours/merge.hpp"
 #include "src/hours/part_file.hpp"
@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t positionsOfRun = 7;
 
-/// Six pixels and a probe; what position i lights is by its number.
+/// Six pixels and a probe; the number of position i decides what it lights.
 Part partOf(std::size_t number, std::size_t of) {
     Part part;
     part.number = number;
@@ -73,7 +73,7 @@ class PartFile : public testing::Test {
         return folder_.write("k.part", Bytes(text.begin(), text.end()));
     }
 
-    /// What reading says of a part file that was tampered with.
+    /// The error message for a part file that was tampered with.
     std::string messageOf(const std::function<void(Json&)>& tamper) {
         Json json = Json::parse(textOf(partOf(2, 3)));
         tamper(json);

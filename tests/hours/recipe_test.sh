@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# recipe_test.sh EDGESHADE ASSETS: the recipe for Snakemake makes what a whole run makes, byte for
-# byte; where Snakemake isn't there, the commands that the recipe runs do.
+# recipe_test.sh EDGESHADE ASSETS: the recipe for Snakemake gives the same bytes as a run in one
+# piece; without Snakemake it runs the recipe's commands.
 set -euo pipefail
 edgeshade=$1 assets=$2
 folder=$(mktemp -d)

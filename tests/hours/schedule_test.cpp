@@ -9,7 +9,7 @@ namespace {
 
 using namespace std::chrono;
 
-/// Munich on the equinox, by its winter clock.
+/// Munich on the equinox, on its winter clock.
 Schedule equinox() {
     Schedule schedule;
     schedule.place = sun::placeAt(48.14, 11.57);
@@ -58,7 +58,7 @@ TEST(Schedule, AnEquinoxDayHasTwelveHoursAndWhatRefractionAdds) {
     const std::vector<Position> positions = positionsOf(equinox());
     EXPECT_GE(positions.size(), 72u);
     EXPECT_LE(positions.size(), 74u);
-    // Each stands for a step within the arc between rise and set.
+    // Each position stands for a step within the arc between rise and set.
     const sun::Instant midnight = sys_seconds(equinox().from) - minutes(60);
     const auto crossings = sun::crossings(equinox().place, midnight, midnight + days(1));
     ASSERT_EQ(crossings.size(), 2u);

@@ -11,7 +11,7 @@
 #include <memory>
 #include <stb_image_write.h>
 
-/// Of stb_image_write, which does not declare it.
+/// From stb_image_write, which does not declare it.
 extern "C" unsigned char* stbi_zlib_compress(unsigned char* data, int size, int* compressedSize,
                                              int quality);
 
@@ -25,7 +25,7 @@ Bytes pngInflatingTo(int size) {
     const std::unique_ptr<unsigned char, void (*)(void*)> data(
         stbi_zlib_compress(zeros.data(), size, &length, 8), std::free);
     Bytes png = smallPng();
-    png.resize(33); // signature and header
+    png.resize(33); // keeps the signature and the header
     for (int shift = 24; shift >= 0; shift -= 8)
         png.push_back(static_cast<std::uint8_t>(length >> shift));
     png.insert(png.end(), {'I', 'D', 'A', 'T'});
@@ -75,7 +75,8 @@ TEST(DecodeImage, WhatInflatesBeyondItsPixelsIsRefusedBeforeThat) {
     ASSERT_LT(bomb.size(), 500'000u);
     expectInputError([&] { decodeImage(bomb, "'a.glb': images[0]"); },
                      {"images[0]", "larger than its pixels"});
-    EXPECT_EQ(decodeImage(pngInflatingTo(2 * (1 + 2 * 3)), "image").width, 2); // all that it needs
+    EXPECT_EQ(decodeImage(pngInflatingTo(2 * (1 + 2 * 3)), "image").width, 2); // all that the image
+                                                                               // needs
 }
 
 TEST(DecodeImage, PicturesCountAsMemory) {
@@ -97,7 +98,7 @@ TEST(DecodeImage, AFewBytesAreNoLargePicture) {
 }
 
 TEST(DecodeImage, LosslessWebpComesBackBitForBit) {
-    Bytes pixels(64 * 32 * 4); // colours of clear pixels too
+    Bytes pixels(64 * 32 * 4); // including the colours of clear pixels
     for (std::size_t i = 0; i < pixels.size(); ++i)
         pixels[i] = static_cast<std::uint8_t>(i * 7 + i / 256);
     const Image image = decodeImage(webpOf(pixels, 64, 32), "image");

@@ -30,7 +30,7 @@ TEST(GreyAlphaPng, HoldsEverySixteenBits) {
 TEST(GreyAlphaPng, HasTheChecksumsThatReadersAskFor) {
     const std::vector<std::uint16_t> pixel = {0x1234, 0xFFFF};
     const Bytes png = encodeGreyAlphaPng(pixel, 1, 1);
-    // That of an empty IEND is known.
+    // The checksum of an empty IEND is known.
     const Bytes end = {0, 0, 0, 0, 'I', 'E', 'N', 'D', 0xAE, 0x42, 0x60, 0x82};
     ASSERT_GT(png.size(), end.size());
     EXPECT_TRUE(std::equal(end.begin(), end.end(), png.end() - 12));

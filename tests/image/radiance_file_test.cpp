@@ -37,7 +37,7 @@ void expectRefused(const Bytes& bytes, std::initializer_list<const char*> words)
     expectInputError([&] { pixelsOf(bytes); }, words);
 }
 
-/// Colours with runs in them, over 16 orders of magnitude.
+/// Colours with runs, over 16 orders of magnitude.
 glm::vec3 testPixel(int x, int y) {
     const float size = std::pow(10.0f, static_cast<float>(y % 17) - 8.0f);
     return size * glm::vec3(static_cast<float>(x / 5 % 7), 1.0f, static_cast<float>(x % 3));
@@ -114,7 +114,7 @@ TEST(RadianceFile, RowsThatDoNotFitAreRefused) {
     expectRefused(fileOf("-Y 1 +X 2", {128, 128, 128, 128, 1, 1, 1, 2}), {"a run in row 0"});
     expectRefused(fileOf("-Y 1 +X 2",
                          {9, 9, 9, 9, 1, 1, 1, 0, 1, 1, 1, 0, 1, 1, 1, 0, 1, 1, 1, 0, 1, 1, 1, 0}),
-                  {"a run in row 0"}); // else zeros would be shifted for ever
+                  {"a run in row 0"}); // otherwise zeros would be shifted endlessly
 }
 
 } // namespace edgeshade::test

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Installs a build, moves what is installed elsewhere, and builds the consumer's project against it:
-by find_package() and by pkg-config.
+"""Installs a build, moves the installed files elsewhere, and builds the consumer's project against
+them: by find_package() and by pkg-config.
 
     tests/install/install_test.py BUILD
 """
@@ -43,7 +43,7 @@ def require(holds, sentence):
 
 
 def installed(build, folder):
-    """The prefix, at another place than where it was installed."""
+    """The prefix, moved away from where it was installed."""
     told("cmake", "--install", build, "--prefix", folder / "first")
     told("cmake", "--install", build, env={**os.environ, "DESTDIR": str(folder / "staged")})
     require(list((folder / "staged").rglob("edgeshadeConfig.cmake")), "DESTDIR got nothing.")
@@ -83,7 +83,7 @@ def project(prefix, folder, name, *options):
 
 
 def shadow_of(path):
-    """Rows of what the consumer drew: True where it is in shadow, None where nothing is."""
+    """Rows of the consumer's picture: True in shadow, None where there is nothing."""
     data = path.read_bytes()
     _, size, _, pixels = data.split(b"\n", 3)
     width, height = map(int, size.split())
@@ -109,7 +109,7 @@ def check_picture(path, wanted):
 
 @contextlib.contextmanager
 def display():
-    """What programs need in their environment to open windows, on a screen that nobody sees."""
+    """The environment in which programs can open windows, on an invisible screen."""
     reading, writing = os.pipe()
     server = subprocess.Popen(["Xvfb", "-displayfd", str(writing), "-screen", "0", "640x480x24", "-nolisten", "tcp"],
                               pass_fds=[writing], stderr=subprocess.DEVNULL)

@@ -1,6 +1,6 @@
-// Close-ups of what models there are: what is looked up, counted and asked point by point, held
-// against rays, from a hundredth to a ten-thousandth of the scene's size away, with near planes as
-// fitted and by sweeps, where it is and far from the origin.
+// Close-ups of the available models: primitive maps, volumes and point queries, compared with rays,
+// at distances from a hundredth to a ten-thousandth of the scene's size, with fitted and swept near
+// planes, in place and far from the origin.
 #include "src/lab/compare.hpp"
 #include "src/lab/draw.hpp"
 #include "tests/support/headless.hpp"
@@ -13,7 +13,7 @@ namespace edgeshade {
 namespace {
 
 constexpr int width = 480, height = 270;
-constexpr int places = 3; // of each scene
+constexpr int places = 3; // per scene
 
 std::vector<lab::LabView> closeUps(const Scene& scene) {
     const Box box = worldBounds(scene);
@@ -104,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(Long, CloseUps, testing::ValuesIn(models()), [](const a
     return name;
 });
 
-/// Points don't depend on the near plane: what is wrong with one is wrong with all.
+/// Points don't depend on the near plane: a fault with one appears with all.
 TEST_P(CloseUps, OfPointsAreRightWithAnyNearPlane) {
     if (!test::canAskPoints()) GTEST_SKIP() << "no processor draws";
     const LoadedScene loaded = model(GetParam());
@@ -113,7 +113,7 @@ TEST_P(CloseUps, OfPointsAreRightWithAnyNearPlane) {
         SCOPED_TRACE(near);
         lab::CompareTask task;
         task.views = closeUps(loaded.scene);
-        task.views.resize(3); // from a hundredth of the size
+        task.views.resize(3); // starting at a hundredth of the size
         task.width = width;
         task.height = height;
         task.near = near * size;
@@ -124,7 +124,7 @@ TEST_P(CloseUps, OfPointsAreRightWithAnyNearPlane) {
     }
 }
 
-/// Views that were wrong: 4,722 pixels by points, 8 by maps.
+/// Views with known faults: 4,722 pixels by points, 8 by maps.
 TEST(CloseUp, ViewsThatWereWrongAreRight) {
     struct View {
         const char* model;

@@ -1,4 +1,5 @@
-// What alpha leaves of MASK surfaces casts, wherever shadow is looked up: against the oracle.
+// MASK surfaces cast the shadow of what their alpha leaves, wherever shadow is looked up: compared
+// with the oracle.
 
 #include "preprocess/gltf/gltf_reading.hpp"
 #include "preprocess/reading/flatten.hpp"
@@ -31,7 +32,8 @@ Bytes leafPng(int width, int height, unsigned seed) {
     return encodePng(rgba, width, height);
 }
 
-/// A square of leaves, from -half to half in x and y, with coordinates from `low` to `high`.
+/// A square of leaves, from -half to half in x and y, with texture coordinates from `low` to
+/// `high`.
 test::Shape leaves(float half, float low, float high) {
     test::Shape shape;
     shape.positions = {{-half, -half, 0}, {half, -half, 0}, {half, half, 0}, {-half, half, 0}};
@@ -111,7 +113,7 @@ const std::vector<Light>& someLights() {
 
 void expectExact(const lab::CompareResult& result) {
     EXPECT_EQ(result.counts.beyond1pxNotTied, 0u);
-    // Where a hole ends is the device's filter's matter, on the leaves themselves.
+    // On the leaves themselves the device's filter decides where a hole ends.
     EXPECT_LE(result.counts.wrongMaskBeyond1px, result.counts.visiblePixels / 200);
     EXPECT_EQ(result.lights.front().method, "primitive-map");
 }

@@ -1,4 +1,4 @@
-// Counted sun positions against rays for the same ones.
+// Counted sun positions, compared with rays for the same ones.
 #include "src/gl/headless_context.hpp"
 #include "src/lab/point_counts.hpp"
 #include "src/render/accumulation/direction_counts.hpp"
@@ -10,7 +10,7 @@
 namespace edgeshade::lab {
 namespace {
 
-/// A day's arc of directions, from horizon to horizon, more than one picture adds up.
+/// A day's arc of directions from horizon to horizon: more than one picture can sum.
 std::vector<glm::dvec3> arc(int count) {
     std::vector<glm::dvec3> directions;
     for (int i = 0; i < count; ++i) {

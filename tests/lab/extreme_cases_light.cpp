@@ -9,7 +9,7 @@ Extreme litFrom(const std::string& name, const std::string& provokes,
     return {.name = name, .provokes = provokes, .load = later(yard), .lights = lights};
 }
 
-/// The same of a yard that is turned and moved by ordinary numbers, and of a light placed with it.
+/// The same for a yard that is rotated and moved by ordinary numbers, with a light placed alike.
 Extreme litFromTurned(const std::string& name, const std::string& provokes, const Light& light) {
     return {.name = name,
             .provokes = provokes,
@@ -23,7 +23,7 @@ Light spotAt(const glm::dvec3& place, const glm::dvec3& towards, double outer, d
     return light;
 }
 
-/// Points and suns all around.
+/// Point lights and suns on all sides.
 std::vector<Light> eightLights() {
     return {pointLight({0.3, 4, 0.7}),  pointLight({-4, 2, 3}),   pointLight({3, 1.2, -3}),
             pointLight({-1.5, 0.2, 1}), pointLight({0, 12, 0.5}), sun({0.4, 1, 0.3}),

@@ -22,7 +22,7 @@ Extreme scaled(const std::string& scale, double s) {
 }
 
 Extreme bakedScale(const std::string& scale, float s) {
-    // The scale is in the vertices, so that it reaches the shaders.
+    // The vertices are scaled, so that the scale reaches the shaders.
     return {.name = "vertices at scale " + scale,
             .provokes = "float range of products in the shaders",
             .load =

@@ -14,8 +14,8 @@ Extreme seenFrom(const std::string& name, const std::string& provokes, const Cam
             .lights = {lamp}};
 }
 
-/// `away` of the yard's size, some 15, from a fold of a box that is turned and moved by ordinary
-/// numbers, with a lamp between.
+/// A close-up from `away` of the yard's size, which is about 15, of a fold of a box that is rotated
+/// and moved by ordinary numbers, with a lamp in between.
 Extreme closeUp(const std::string& away, double share) {
     const auto placed = [](const glm::dvec3& p) {
         return glm::dvec3(ordinaryPlace() * glm::dvec4(p, 1.0));

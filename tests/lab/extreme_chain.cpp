@@ -8,7 +8,7 @@ namespace {
 
 using namespace shader_arithmetic;
 
-constexpr std::size_t mostChainVertices = 600; // a chain takes memory by their square
+constexpr std::size_t mostChainVertices = 600; // a chain's memory grows with their square
 
 template <class Method>
 std::size_t openEdgesOfBatch(const BatchTopology& topology, const BatchShadow& shadow,

@@ -6,7 +6,7 @@
 
 namespace edgeshade::test {
 
-/// What the checks of one case find.
+/// Findings of the checks of one case.
 struct ExtremeOutcome {
     std::size_t triangles = 0;
     struct Way {
@@ -19,15 +19,15 @@ struct ExtremeOutcome {
 
 ExtremeOutcome check(const Extreme& extreme);
 
-/// Draws the case: with shadows, without, and its lit mask. `near`: set to the near plane used.
+/// Draws the case with shadows, without, and as a lit mask. `near` is set to the near plane used.
 lab::Pictures drawPictures(const Extreme& extreme, const LoadedScene& scene,
                            const RenderSettings& settings, double& near);
 
-/// Edges at which what sides and caps emit has a boundary; 0: the chain is closed. Small meshes
-/// are tried triangle by triangle too, where an open chain counts as one edge more.
+/// Number of edges at which the emitted sides and caps have a boundary; 0: the chain is closed.
+/// Small meshes are also tried triangle by triangle, where an open chain counts as one more edge.
 std::size_t openEdgesOf(const LoadedScene& scene, const std::vector<Light>& lights);
 
-/// The table's head, and the case's rows.
+/// The table's heading, and the case's rows.
 std::string tableHead();
 std::string tableRows(const Extreme& extreme, const ExtremeOutcome& outcome);
 

@@ -1,4 +1,4 @@
-// The extremes that need a glTF file: nodes far off, textures.
+// Extremes that need a glTF file: distant nodes, textures.
 #include "preprocess/gltf/gltf_reading.hpp"
 #include "preprocess/reading/flatten.hpp"
 #include "src/image/png.hpp"
@@ -19,8 +19,8 @@ Json at(const glm::dvec3& place) {
     return {place.x, place.y, place.z};
 }
 
-/// 8 x 8 texels, clear but for two upright stripes. Borders are straight and the outline is clear,
-/// so that a linear filter cuts where the nearest texel does.
+/// 8 x 8 clear texels except for two upright stripes. Borders are straight and the outline is
+/// clear, so that a linear filter cuts at the same place as the nearest texel.
 Bytes stripes() {
     Bytes texels;
     for (int i = 0; i < 64; ++i) {
@@ -30,7 +30,7 @@ Bytes stripes() {
     return encodePng(texels, 8, 8);
 }
 
-/// A square card of 2 x 2 across the y axis, standing on its edge at `turn`, leaning.
+/// A leaning square card of 2 x 2 across the y axis, on its edge, rotated by `turn`.
 Shape card(float turn) {
     Shape shape;
     const glm::vec3 along(std::cos(turn), 0, std::sin(turn));

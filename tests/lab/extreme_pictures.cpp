@@ -11,8 +11,8 @@
 namespace edgeshade::test {
 namespace {
 
-/// Leaves a deeper depth buffer no more than `bits` of its steps: Mesa has no 16-bit depth with a
-/// stencil. Depths, the cleared one included, take the front of its range alone.
+/// Reduces a deeper depth buffer to `bits` bits: Mesa has no 16-bit depth with a stencil. All
+/// depths, including the cleared one, use only the front of its range.
 void coarsenDepth(int bits, const gl::Capabilities& capabilities) {
     if (capabilities.depthBits <= bits) return;
     const float farthest = std::ldexp(1.0f, bits - capabilities.depthBits);

@@ -49,7 +49,7 @@ LoadedScene turnedYard() {
 }
 
 SceneBuilder sliver(float aspect) {
-    // One on its own, and one in the seam of a sheet, where a crack would show.
+    // One sliver alone, and one in the seam of a sheet, where a crack would show.
     const glm::vec3 a(-1, 1.2f, 1), b(1, 1.5f, -1), c(1, 1.5f, -1 + 2.8f / aspect);
     return SceneBuilder()
         .floor(6)
@@ -91,8 +91,8 @@ SceneBuilder boxWithDegenerateTriangles() {
         .triangle(a, {0, 0.5f, 1}, b)                     // a new vertex on an edge
         .triangle(b, {1, 1, 1}, c)                        // another
         .triangle(a, {0, 1.25f, 1}, c)                    // on a face's diagonal
-        .triangle({-1, 2, -1}, {-1, 2, 0.5f}, {-1, 2, 1}) // vertices and all on an edge
-        .triangle({2, 1, 0}, {2, 2, 0}, {2, 3, 0});       // on its own in the air
+        .triangle({-1, 2, -1}, {-1, 2, 0.5f}, {-1, 2, 1}) // vertices and triangle all on one edge
+        .triangle({2, 1, 0}, {2, 2, 0}, {2, 3, 0});       // alone in the air
 }
 
 SceneBuilder tJunction() {

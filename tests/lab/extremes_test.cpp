@@ -1,5 +1,5 @@
-// The extremes: each case is drawn in code, says what it provokes, and is held against the oracle
-// and for the closed chain (docs/method.md, C1, C30 and C32).
+// The extremes: each case is drawn in code, names the difficulty it provokes, and is checked
+// against the oracle and for the closed chain (docs/method.md, C1, C30 and C32).
 
 #include "tests/lab/extreme_check.hpp"
 
@@ -20,7 +20,7 @@ std::vector<Extreme> extremes(bool long_) {
     return all;
 }
 
-/// Letters and digits alone: "1e-6" becomes 1eMinus6.
+/// Letters and digits only: "1e-6" becomes 1eMinus6.
 std::string nameOf(const testing::TestParamInfo<Extreme>& extreme) {
     std::string name;
     char last = ' ';

@@ -21,7 +21,7 @@ Scene stack(int sheets) {
     return builder.scene();
 }
 
-/// How many triangles of each group a line from the light through a point meets; from a sun, the
+/// Number of each group's triangles on the line from the light through a point; for a sun, on the
 /// whole line.
 std::vector<std::size_t> trianglesMetByGroup(const Batch& batch, const Light& light,
                                              const glm::dvec3& through, const LayerBound& bound) {
@@ -62,7 +62,7 @@ TEST(LayerBound, FewTrianglesNeedNoGroups) {
 }
 
 TEST(LayerBound, IsNeverBelowTheTruth) {
-    // Straight above, a line meets one triangle of every sheet; along the diagonal two.
+    // A line from straight above meets one triangle of every sheet; along the diagonal two.
     for (const Light& light : {test::pointLight({0.3, 9, 0.1}), test::sun({0.1, 1, 0.2})}) {
         const LayerBound bound = boundLayers(stack(300), false, light, 255);
         EXPECT_GE(bound.most, 300u);
@@ -73,7 +73,7 @@ TEST(LayerBound, IsNeverBelowTheTruth) {
     }
 }
 
-// 256 triangles of one group over one pixel would come out lit.
+// 256 triangles of one group over one pixel would look lit.
 TEST(LayerBound, OneGroupHasNoMoreLayersThanTheLimit) {
     for (const int sheets : {256, 511}) {
         const Scene scene = stack(sheets);
@@ -117,7 +117,7 @@ TEST(LayerBound, MoreGroupsThanAreWorthItAreNone) {
 }
 
 TEST(LayerBound, NoLineMeetsMoreTrianglesThanItSays) {
-    // All around the lamp, so that many triangles lie on two and three faces of its cube.
+    // All around the lamp, so that many triangles lie on two or three faces of its cube.
     std::mt19937 random(7);
     std::uniform_real_distribution<float> around(-3.0f, 3.0f), near(-0.6f, 0.6f);
     const auto vector = [&](auto& numbers) {
@@ -134,7 +134,7 @@ TEST(LayerBound, NoLineMeetsMoreTrianglesThanItSays) {
     const Batch& batch = scene.batches.front();
     for (const Light& light : {test::pointLight({0.1, 0.2, 0.05}), test::pointLight({9, 4, 2}),
                                test::sun({0.3, 1, 0.2})}) {
-        // The grid alone, close looks where it is too coarse, and groups.
+        // Only the grid, then closer looks where it is too coarse, then groups.
         for (const std::size_t limit : {1000u, 20u, 5u}) {
             const LayerBound bound = boundLayers(scene, false, light, limit);
             std::size_t mostMet = 0, mostOfOneGroup = 0;

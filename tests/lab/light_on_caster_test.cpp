@@ -1,5 +1,5 @@
-// Lights that lie on casters and suns that lie in walls, turned and moved by ordinary numbers, held
-// against rays by every method and layout (docs/method.md, C47).
+// Lights on casters and suns in the planes of walls, rotated and moved by ordinary numbers,
+// compared with rays for every method and layout (docs/method.md, C47).
 #include "src/lab/compare.hpp"
 #include "src/rivals/rivals.hpp"
 #include "src/shadow/lights/light_contact.hpp"
@@ -47,7 +47,7 @@ std::vector<lab::Contender> everyWay() {
     return ways;
 }
 
-/// `mostWrong`: pixels of a mask, all of them ties.
+/// `mostWrong`: limit on wrong pixels of a mask, all of them ties.
 void expectRight(const LoadedScene& loaded, const Camera& camera, const Light& light,
                  std::size_t mostWrong) {
     lab::CompareTask task;
@@ -64,7 +64,7 @@ void expectRight(const LoadedScene& loaded, const Camera& camera, const Light& l
     }
 }
 
-/// As flattening leaves it: positions are rounded once placed, lights are not.
+/// As flattened: positions are rounded after placing, lights are not.
 LoadedScene placed(const test::SceneBuilder& builder, const glm::dmat4& at) {
     Scene scene = builder.scene();
     for (glm::vec3& position : scene.batches.front().geometry.edit().positions)
@@ -78,7 +78,7 @@ glm::dmat4 somePlace(test::Random& random) {
                        random.uniform(-0.4, 0.4), axis);
 }
 
-/// A ceiling panel, a box, or the tip of a lampshade, and a floor; the light's place on it.
+/// A ceiling panel, a box, or the tip of a lampshade, over a floor, with the light's place on it.
 struct Lamp {
     test::SceneBuilder builder;
     glm::dvec3 light{0.0};
@@ -102,7 +102,7 @@ Lamp lamp(int kind) {
         made.builder.box({-0.5f, 0, -0.25f}, {0.25f, 0.5f, 0.25f});
         made.light = {-0.0625, 0.0, 0.09375};
         break;
-    default: // at the tip of a shade that is open below
+    default: // at the tip of a shade that is open at the bottom
         for (int i = 0; i < 5; ++i) {
             const auto rim = [](int at) {
                 const double angle = 1.2566370614359172 * at;
@@ -161,7 +161,7 @@ TEST(SunsInWalls, LeaveThemDarkByEveryMethodAndLayout) {
     for (int i = 0; i < 2; ++i) {
         SCOPED_TRACE(i);
         const glm::dmat4 at = somePlace(random);
-        // In the planes of two walls of the box, or of one.
+        // In the planes of two of the box's walls, or of one.
         const glm::dvec3 towards = i % 2 == 0 ? glm::dvec3(0, 1, 0) : glm::dvec3(0.6, 0.8, 0);
         const Light sun{glm::dvec4(glm::dvec3(at * glm::dvec4(towards, 0.0)), 0.0)};
         test::SceneBuilder builder;

@@ -1,4 +1,4 @@
-// 64 lights, all with shadows, against the oracle; and what leaving shadows out costs of that.
+// 64 lights, all with shadows, against the oracle; and the error when some shadows are left out.
 #include "src/lab/compare.hpp"
 
 #include "src/bench/scattered_lights.hpp"
@@ -53,10 +53,10 @@ TEST(ManyLights, MoreThanAWordHasBitsAreToldApart) {
     question.scene = &scene;
     question.frustum = frustumOf(Camera{{0, 8, 0.1}, {0, 0, 0}, 60.0}, 1.0);
     question.width = question.height = 40;
-    for (int i = 0; i < 200; ++i) // in turn under the box and far above it
+    for (int i = 0; i < 200; ++i) // alternately under the box and far above it
         question.lights.push_back(test::pointLight({0, i % 3 == 0 ? 0.5 : 9.0, 0}));
     const lab::Oracle oracle(question, {});
-    const lab::Answer beneath = oracle.at(20.0, 36.0); // of the floor, beside the box
+    const lab::Answer beneath = oracle.at(20.0, 36.0); // on the floor beside the box
     ASSERT_TRUE(beneath.surface);
     lab::LightSet expected;
     for (std::size_t i = 0; i < 200; ++i) {

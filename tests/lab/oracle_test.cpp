@@ -27,7 +27,7 @@ lab::Question above(const Scene& scene, double half, int size, const Light& ligh
     return question;
 }
 
-// The light at height 8 throws the box's top, at height 4 and 1 wide, onto the floor with factor
+// The light at height 8 projects the box's top, at height 4 and 1 wide, onto the floor with factor
 // 2; the eye at height 20 sees the top itself up to 1.25.
 TEST(Oracle, KnowsTheShadowOfABox) {
     const Scene scene = SceneBuilder().floor(6).box({-1, 2, -1}, {1, 4, 1}).scene();
@@ -61,7 +61,7 @@ TEST(Oracle, CoincidentSheetsDoNotShadeEachOther) {
 }
 
 TEST(Oracle, WhatASceneCullsIsNotSeenAndBlocks) {
-    // A lid that shows the eye its back hides nothing, and shades the floor under it.
+    // A lid that shows the eye its back hides nothing, but shades the floor under it.
     const SceneBuilder builder =
         SceneBuilder().floor(4).quad({-1, 2, -1}, {1, 2, -1}, {1, 2, 1}, {-1, 2, 1});
     for (const bool mirrored : {false, true}) {
@@ -86,11 +86,11 @@ TEST(Oracle, EveryLightHasItsBit) {
     lab::Question question = above(scene, 5.0, 100, pointLight({0, 8, 0}));
     question.lights.push_back(pointLight({4, 3, 0}));
     const Oracle oracle(question, solid);
-    EXPECT_EQ(oracle.at(65.0, 50.0).lit, 2u); // x = 1.5: in the first light's shadow alone
+    EXPECT_EQ(oracle.at(65.0, 50.0).lit, 2u); // x = 1.5: only in the first light's shadow
 }
 
 TEST(Oracle, KnowsHowFarALightReaches) {
-    // From height 4 a range of 5 gets 3 far on the floor.
+    // From height 4 a range of 5 reaches 3 on the floor.
     const Scene scene = SceneBuilder().floor(6).scene();
     Light light = pointLight({0, 4, 0});
     light.range = 5.0;
@@ -130,8 +130,8 @@ TEST(Oracle, AgreesWithBruteForceAndWithItsExactJudge) {
     }
 }
 
-// The bound of rounding must hold where it is least likely to: lights in planes and on edges, far
-// from the origin, rays through vertices and along edges.
+// The bound on rounding must hold in the hardest cases: lights in planes and on edges, far from the
+// origin, rays through vertices and along edges.
 TEST(Oracle, WhatItCallsCertainIsExactlyTrue) {
     std::size_t certain = 0, all = 0;
     for (const Light& light : {pointLight({0.3, 4, 0.7}), pointLight({1.5, 1, 2}),
@@ -149,7 +149,7 @@ TEST(Oracle, WhatItCallsCertainIsExactlyTrue) {
             question.height = 24;
             const Oracle oracle(question, solid);
             for (int i = 0; i < 32 * 24; ++i) {
-                // Centres, and points of the grid between them.
+                // Pixel centres, and grid points between them.
                 const double x = i % 32 + 0.5 * (i % 2), y = i / 32 + 0.5 * (i % 3 == 0);
                 const Oracle::Checked checked = oracle.checkedAt(x, y);
                 ++all;

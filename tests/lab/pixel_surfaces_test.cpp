@@ -1,4 +1,4 @@
-// What pixels show by area, and what a point sees.
+// Areas of the surfaces that pixels show, and what a point sees.
 #include "src/lab/pixel_surfaces.hpp"
 #include "src/lab/sun_probe.hpp"
 #include "src/shadow/view/plan_view.hpp"
@@ -37,7 +37,7 @@ bool sees(const LoadedScene& loaded, const glm::dvec3& point,
 } // namespace
 
 TEST(PixelSurfaces, AreAsLargeAsWhatIsSeen) {
-    // A floor of 10 x 10, straight from above, from aside, and in perspective.
+    // A floor of 10 x 10, from straight above, from the side, and in perspective.
     const Scene floor = test::SceneBuilder().floor(5.0f).scene();
     EXPECT_NEAR(areaSeen(floor, planView(floor, 1.5, 0.0), 300, 200), 100.0, 1.0);
     EXPECT_NEAR(areaSeen(floor, planView(floor, 1.0, 30.0), 200, 200), 100.0, 1.0);
@@ -83,12 +83,12 @@ TEST(SunProbe, IsBlockedByCastersOnTheWay) {
     const LoadedScene loaded =
         loadedOf(test::SceneBuilder().floor(5.0f).box({1, 0, -1}, {2, 3, 1}).scene());
     const glm::dvec3 up(0.0, 1.0, 0.0);
-    // From 1 before a wall of 3: free above 3 : 1.
+    // From 1 in front of a wall of 3: free above a slope of 3 : 1.
     EXPECT_FALSE(sees(loaded, {0, 0, 0}, up, {1.0, 2.99, 0.0}));
     EXPECT_TRUE(sees(loaded, {0, 0, 0}, up, {1.0, 3.01, 0.0}));
     EXPECT_TRUE(sees(loaded, {0, 0, 0}, up, {-1.0, 0.01, 0.0}));
-    EXPECT_FALSE(sees(loaded, {0, 0, 0}, up, {-1.0, -0.01, 0.0})); // faces away
-    // Inside of the box, in the open air, below the floor.
+    EXPECT_FALSE(sees(loaded, {0, 0, 0}, up, {-1.0, -0.01, 0.0})); // turned away
+    // Inside the box, in the open air, below the floor.
     EXPECT_FALSE(sees(loaded, {1.5, 1.0, 0.0}, {}, {0.3, 1.0, 0.2}));
     EXPECT_TRUE(sees(loaded, {1.5, 4.0, 0.0}, {}, {0.3, 1.0, 0.2}));
     EXPECT_FALSE(sees(loaded, {0.2, -0.5, 0.0}, {}, {0.3, 1.0, 0.2}));
@@ -97,8 +97,8 @@ TEST(SunProbe, IsBlockedByCastersOnTheWay) {
 TEST(SunProbe, IsNotBlockedByTheSurfaceItLiesOn) {
     const LoadedScene loaded = loadedOf(
         test::SceneBuilder().floor(5.0f, 0.1f).box({1.1f, 0.1f, -1}, {2.3f, 3.7f, 1}).scene());
-    for (const double x : {0.1, 0.3, -0.7, 4.9, 0.0}) // typed decimals that are no floats
-        for (const double z : {0.3, -1.7, 0.0})       // 0, 0 lies on the floor's diagonal
+    for (const double x : {0.1, 0.3, -0.7, 4.9, 0.0}) // decimals that aren't exact floats
+        for (const double z : {0.3, -1.7, 0.0})       // (0, 0) lies on the floor's diagonal
             EXPECT_TRUE(sees(loaded, {x, 0.1, z}, {}, {-0.001, 1.0, 0.002})) << x << " " << z;
     EXPECT_TRUE(sees(loaded, {1.7, 3.7, 0.3}, glm::dvec3(0, 1, 0), {0.9, 0.2, 0.1}));
     EXPECT_TRUE(sees(loaded, {1.1, 2.0, 0.3}, glm::dvec3(-1, 0, 0), {-0.9, 0.2, 0.1}));

@@ -1,4 +1,4 @@
-// Counts of lit points against rays, and whether what compares them sees a fault.
+// Counts of lit points against rays, and whether the comparison notices a fault.
 
 #include "src/lab/point_counts.hpp"
 #include "src/render/accumulation/extended_lights.hpp"
@@ -83,7 +83,7 @@ lab::PointOracle oracleOf(const Case& test) {
             opaque};
 }
 
-/// Mask by mask, and by a primitive map for all of the light.
+/// Checks the counts mask by mask, and by a primitive map for the whole light.
 void expectRight(const Case& test, double mostPercent = 0.05) {
     lab::PointOracle oracle = oracleOf(test);
     for (const auto& [method, name] : {std::pair(ShadowMethod::volumes, "volumes"),
@@ -110,7 +110,7 @@ TEST(PointCounts, ALampThatTouchesTheFloor) {
 }
 
 TEST(PointCounts, ALampHalfBuriedInAWall) {
-    // Its centre is in the wall's plane, and half of its points are behind.
+    // Its centre is in the wall's plane, with half of its points behind.
     const Scene scene = SceneBuilder()
                             .floor(5)
                             .quad({-3, 0, -1}, {3, 0, -1}, {3, 3, -1}, {-3, 3, -1})

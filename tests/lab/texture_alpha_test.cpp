@@ -1,4 +1,4 @@
-// Alpha of a texture between and beyond its texels, as samplers of GLES 2 say.
+// Alpha of a texture between and beyond its texels, by the rules of GLES 2 samplers.
 
 #include "src/lab/texture_alpha.hpp"
 
@@ -39,10 +39,10 @@ struct Fixture {
         triangle.material = static_cast<std::uint32_t>(batch.geometry->groups.back().material);
     }
 
-    /// At a texture coordinate along the row, 0 to 4.
+    /// Alpha at a texture coordinate along the row, 0 to 4.
     float at(double s) const { return lab::textureAlpha(loaded).at(triangle, s / 4.0, 0.0); }
 
-    /// Around a place in texels, with pixels that are so many texels wide and high.
+    /// Range of alpha around a place in texels, for pixels of this width and height in texels.
     glm::vec2 range(double place, double width) const {
         const double across = 4.0 * texels_; // texels, for a barycentric coordinate of 1
         return lab::textureAlpha(loaded).range(triangle, {glm::dvec2(place, 0.0) / across,
@@ -78,15 +78,15 @@ TEST(TextureAlpha, MagnifiesAsTheSamplerSays) {
 }
 
 TEST(TextureAlpha, RangesHoldWhatDevicesMayLookUp) {
-    // A small pixel looks up a texel and a half to either side.
+    // A small pixel samples a texel and a half to either side.
     const glm::vec2 small = Fixture(samplerOf(clampToEdge, linear), 16).range(6.5, 0.25);
     EXPECT_NEAR(small.x, 5.0 / 15.0, 1e-6);
     EXPECT_NEAR(small.y, 8.0 / 15.0, 1e-6);
-    // A large one takes smaller copies, of four texels here.
+    // A large one samples mipmaps, here with texels of four.
     const glm::vec2 large = Fixture(samplerOf(clampToEdge, linear, mipmapped), 16).range(6.5, 3.0);
     EXPECT_NEAR(large.x, 0.0, 1e-6);
     EXPECT_NEAR(large.y, 12.0 / 15.0, 1e-6);
-    // Without such copies it looks up no more than a small one.
+    // Without mipmaps it samples no more than a small one.
     EXPECT_EQ(Fixture(samplerOf(clampToEdge, linear), 16).range(6.5, 3.0), small);
 }
 

@@ -22,7 +22,7 @@ class RandomTriangles {
         const double u = at(part.u0, part.u1);
         return {u, at(part.v0, part.v1)};
     }
-    /// Large and small ones, slivers, level edges, corners on the borders of cells.
+    /// Large and small triangles, slivers, horizontal edges, corners on the borders of cells.
     Triangle next(int kind, int side) {
         Triangle triangle{inPart(0.3), inPart(0.3), inPart(0.3)};
         const glm::dvec2 cell((part.u1 - part.u0) / side, (part.v1 - part.v0) / side);
@@ -50,7 +50,7 @@ class RandomTriangles {
     std::mt19937 random_;
 };
 
-/// Of a place in `part`.
+/// The count at a place in `part`.
 std::size_t countAt(const TouchGrid& grid, const glm::dvec2& place) {
     const auto index = [&](double share) {
         return std::clamp(static_cast<int>(share * grid.side()), 0, grid.side() - 1);
@@ -79,7 +79,7 @@ TEST(TouchGrid, CountsATriangleWhereverItHasAPoint) {
         }
 }
 
-// An outline is all that is known of a triangle at the light.
+// For a triangle at the light only an outline is known.
 TEST(TouchGrid, CountsOutlinesToo) {
     RandomTriangles random(3);
     for (int i = 0; i < 200; ++i) {
@@ -96,7 +96,7 @@ TEST(TouchGrid, CountsOutlinesToo) {
     }
 }
 
-// What it is for: a long diagonal is in few of its outline's cells.
+// The grid's purpose: a long diagonal touches few cells of its outline.
 TEST(TouchGrid, ADiagonalTouchesItsOwnCellsAlone) {
     TouchGrid grid({0, 1, 0, 1}, 6);
     grid.add(Triangle{glm::dvec2(0.01, 0.01), {0.99, 0.98}, {0.98, 0.99}});

@@ -1,4 +1,4 @@
-// The lab's verdict is itself tested: what is flipped by hand must be found, all of it.
+// Tests the lab's verdict itself: it must find every pixel that the test flips.
 
 #include "src/lab/verdicts.hpp"
 #include "tests/support/headless.hpp"
@@ -16,7 +16,7 @@ using test::SceneBuilder;
 constexpr int size = 200;
 constexpr std::size_t pixelCount = std::size_t{size} * size;
 
-/// A lit floor that fills the picture, with pictures that are right everywhere.
+/// A lit floor that fills the picture, with pictures that are correct everywhere.
 struct Fixture {
     Scene scene = SceneBuilder().floor(50).scene();
     Camera camera{{0, 10, 0}, {0, 0, 0}, 45.0};
@@ -103,22 +103,23 @@ TEST(Verdicts, WhatTheProgramDrawsIsRight) {
     EXPECT_LE(counts.wrongMaskPixels, 20u);
 }
 
-/// What is counted of a pixel in the middle whose picture is wrong. The eye looks straight down
-/// from height 10, and 100 pixels reach from the middle to where the floor leaves the picture.
+/// Counts for a wrong pixel in the picture's middle. The eye looks straight down from height 10,
+/// and 100 pixels reach from the middle to where the floor leaves the picture.
 lab::WrongCounts countsOfMiddle(Fixture fixture) {
-    const std::size_t middle = pixelCount / 2 + size / 2; // centre half a pixel aside of (0, 0)
+    const std::size_t middle = pixelCount / 2 + size / 2; // its centre is half a pixel beside (0,
+                                                          // 0)
     const std::uint8_t other = fixture.pictures.mask[4 * middle] == 0 ? 255 : 0;
     for (std::size_t c = 0; c < 3; ++c)
         fixture.pictures.mask[4 * middle + c] = other;
     return fixture.counts();
 }
 
-/// A floor in whose middle pixel a shadow's boundary passes so many pixels from the centre.
+/// A floor with a shadow's boundary this many pixels from the centre of the middle pixel.
 Fixture boundaryAside(double pixels) {
     Fixture fixture;
     const double pixel = 10.0 * std::tan(glm::radians(22.5)) / (0.5 * size);
     const auto edge = static_cast<float>(pixel * (0.5 + pixels));
-    // A roof above the eye, which throws its edge straight down.
+    // A roof above the eye, whose edge is projected straight down.
     fixture.scene = SceneBuilder()
                         .floor(50)
                         .quad({edge, 20, -9}, {edge, 20, 9}, {90, 20, 9}, {90, 20, -9})

@@ -1,4 +1,4 @@
-"""Faults that some test must notice: what is changed where, and the test that has to fail then.
+"""Faults that some test must notice: a change to the code, and the test that must then fail.
 
 (what is wrong, file, text in it, text in its place, target, --gtest_filter)
 """

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# aarch64_tests.sh SOURCES: the preprocessor's tests as programs for aarch64, by qemu-user. Exits
-# with 77 (skipped) where they are not built.
+# aarch64_tests.sh SOURCES: runs the preprocessor's tests as aarch64 programs in qemu-user. Exits
+# with 77 (skipped) if they are not built.
 set -euo pipefail
 folder=$1/build/aarch64/tests/preprocess
 libraries=$1/build/aarch64-sysroot/usr/lib/aarch64-linux-gnu

@@ -1,6 +1,6 @@
-// pack_hashes [FILE...]: packs scenes drawn in code, then the files, in every way that there is,
-// and prints a line "HASH BYTES WAY SCENE" for each. Built for every platform: the lines must be
-// the same. The scenes take no mathematical function but roots, which are exact everywhere.
+// pack_hashes [FILE...]: packs scenes drawn in code, then the files, in every possible way, and
+// prints a line "HASH BYTES WAY SCENE" for each. Built for every platform: the lines must be the
+// same. The scenes use no mathematical function except roots, which are exact everywhere.
 #include "preprocess/base/error.hpp"
 #include "preprocess/gltf/gltf_reading.hpp"
 #include "preprocess/packing/pack.hpp"
@@ -19,7 +19,7 @@ struct Way {
     CasterSettings settings;
 };
 
-/// In shares of the scene's diagonal where they are lengths.
+/// Lengths are shares of the scene's diagonal.
 std::vector<Way> waysFor(double diagonal) {
     CasterSettings welded, chosen, flat, simplified, masked;
     chosen.autoWeld = true;
@@ -45,7 +45,7 @@ std::uint64_t hashOf(const Bytes& bytes) {
     return hash;
 }
 
-/// Hills whose heights are random, with normals.
+/// Hills of random height, with normals.
 Shape hills(std::uint32_t side, std::uint64_t seed) {
     Random random(seed);
     Shape shape;
@@ -63,7 +63,7 @@ Shape hills(std::uint32_t side, std::uint64_t seed) {
     return shape;
 }
 
-/// Static and animated nodes of every kind of transform, MASK and BLEND surfaces, survey
+/// Static and animated nodes with every kind of transform, MASK and BLEND surfaces, survey
 /// coordinates.
 GltfBuilder variedScene() {
     GltfBuilder gltf;

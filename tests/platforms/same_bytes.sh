@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # same_bytes.sh PACK_HASHES SOURCES SHARED_SCENES: packs the same scenes here, on aarch64 (by
-# qemu-user) and in WebAssembly (by node), prints the hashes, and fails where they differ. Platforms
-# that were not built are left out; with none of them it exits with 77 (skipped).
+# qemu-user) and in WebAssembly (by node), prints the hashes, and fails if they differ. Platforms
+# that were not built are left out; without any it exits with 77 (skipped).
 set -euo pipefail
 here=$1 sources=$2 shared=$3
 work=$(mktemp -d)
@@ -11,7 +11,7 @@ aarch64=$sources/build/aarch64/tests/platforms/pack_hashes
 libraries=$sources/build/aarch64-sysroot/usr/lib/aarch64-linux-gnu
 web=$sources/build/web-build/tests/platforms/pack_hashes.cjs
 
-# With nothing to compare with, the sample is enough.
+# Without another platform to compare with, the sample is enough.
 files=("$sources/assets/pavilion.glb")
 if [[ -e $aarch64 || -e $web ]]; then
     for file in "$shared"/*.glb; do
@@ -23,7 +23,7 @@ echo "$(uname -m):"
 "$here" "${files[@]}" | tee "$work/here"
 compared=0 failed=0
 
-# against NAME COMMAND...: whether it prints the same hashes.
+# against NAME COMMAND...: whether the command prints the same hashes.
 against() {
     local name=$1
     shift

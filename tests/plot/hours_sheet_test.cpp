@@ -13,7 +13,7 @@ struct Lab {
     double lightness, a, b;
 };
 
-/// CIELAB of a colour under D65: another measure than the one that the scale is made by.
+/// CIELAB of a colour under D65: a measure other than the one that made the scale.
 Lab cielab(Color color) {
     double linear[3];
     for (int c = 0; c < 3; ++c) {
@@ -75,7 +75,7 @@ TEST(HoursSheet, ShowsEveryPixelOfThePicture) {
         for (const int value : {i % 256, i / 2 % 256, 77, 255})
             sheet.rgba.push_back(static_cast<std::uint8_t>(value));
     const Image image = decodeImage(hoursPng(sheet), "sheet");
-    // The picture stands somewhere in it as it was.
+    // The picture appears unchanged somewhere in the sheet.
     const auto row = [&](int x, int y, int line) {
         const auto width = static_cast<std::size_t>(image.width);
         return std::equal(

@@ -64,7 +64,7 @@ TradePlot example() {
              {"no shadows", 2, 1.0, 30.0, 0, true, ""}}};
 }
 
-/// As many settings as tradeoff has and more, crowded, a dozen of them on the front.
+/// More settings than tradeoff has, crowded, with a dozen on the front.
 TradePlot crowd() {
     TradePlot plot = example();
     plot.points.clear();
@@ -79,7 +79,7 @@ TradePlot crowd() {
     return plot;
 }
 
-/// Keeps what is written and marked.
+/// Records texts and marks.
 class Record : public Canvas {
   public:
     struct Mark {
@@ -88,7 +88,8 @@ class Record : public Canvas {
         Point center;
     };
     std::vector<Mark> marks;
-    std::vector<std::pair<std::string, Rectangle>> names; ///< bold, as wide as they are taken for
+    std::vector<std::pair<std::string, Rectangle>> names; ///< bold, with the width that is assumed
+                                                          ///< for them
 
     void line(std::span<const Point>, Color, double, bool) override {}
     void mark(Point center, Shape shape, double, Color fill, Color rim,

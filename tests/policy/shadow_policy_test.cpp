@@ -1,4 +1,4 @@
-// The rules by which each light's technique is chosen, a row a rule.
+// The rules that choose each light's technique, one row per rule.
 #include "src/policy/shadow_policy.hpp"
 
 #include <gtest/gtest.h>
@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t plenty = std::numeric_limits<std::size_t>::max();
 
-/// A light at rest in a large scene without surprises, on a processor that can do everything, where
-/// anything may be chosen.
+/// A resting light in a large, ordinary scene, on a processor that can do everything, with a free
+/// choice.
 struct Situation {
     PolicySettings settings{.asked = ShadowMethod::automatic};
     DeviceFacts device{.floatTables = true,

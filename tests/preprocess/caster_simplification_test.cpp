@@ -14,7 +14,7 @@ namespace {
 
 using test::SceneBuilder;
 
-/// The point of a ball of radius 1 at a row and a column.
+/// The point at a row and a column of a ball of radius 1.
 glm::vec3 onBall(int row, int column, int rows, int columns) {
     if (row == 0 || row == rows) return {0.0f, row == 0 ? 1.0f : -1.0f, 0.0f};
     const double v = std::numbers::pi * row / rows;
@@ -22,7 +22,7 @@ glm::vec3 onBall(int row, int column, int rows, int columns) {
     return glm::vec3(glm::dvec3(std::sin(v) * std::cos(u), std::cos(v), std::sin(v) * std::sin(u)));
 }
 
-/// A closed ball, its outside outside, and under it a floor of 16 x 16 cells.
+/// A closed ball, wound outwards, and under it a floor of 16 x 16 cells.
 SceneBuilder ballOverFloor() {
     constexpr int rows = 24, columns = 48, cells = 16;
     SceneBuilder builder;
@@ -56,7 +56,7 @@ std::size_t trianglesWith(const Scene& scene, double error) {
     return castersIn(simplified).welded.triangles.size();
 }
 
-/// A scene of a soup; triangles without area stay.
+/// A scene from a soup, including triangles without area.
 Scene sceneFrom(const test::Soup& soup) {
     SceneBuilder builder;
     for (std::size_t i = 0; i + 2 < soup.indices.size(); i += 3)

@@ -1,5 +1,5 @@
-// Ten million triangles with a light each: consistency between sides and caps is the invariant,
-// exactness is not needed (docs/method.md, The closed chain).
+// Ten million triangles with one light each: sides and caps must be consistent; exactness is not
+// needed (docs/method.md, The closed chain).
 #include "open_chain_tally.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// The same with fused multiply-adds: a device may contract what GLSL spells out. One shared source
-// must hold even then.
+// The same with fused multiply-adds, since a device may contract expressions that GLSL spells out.
+// One shared source must hold even then.
 #include "open_chain_tally.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// The closed chain on devices whose vertex stage has 16 mantissa bits, however they round: signs
-// are less exact there and no less consistent (docs/method.md, C1).
+// The closed chain on devices whose vertex stage has 16 mantissa bits, with any rounding: signs are
+// less exact there, but still consistent (docs/method.md, C1).
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/rounded_arithmetic.hpp"
 #include "tests/support/shader_arithmetic.hpp"
@@ -34,9 +34,9 @@ bool isOpen(const Corners& p, const glm::vec4& light) {
 
 struct PrecisionTally {
     std::uint64_t pairs = 0;
-    std::uint64_t otherSigns = 0; ///< than with float32, by the reference edge
+    std::uint64_t otherSigns = 0; ///< different from float32, by the reference edge
     std::uint64_t referenceEdge = 0, threeEdge = 0, singleEdge = 0; ///< open
-    std::uint64_t planes = 0; ///< whose side is not the opposite of the negated plane's
+    std::uint64_t planes = 0; ///< with a side that isn't the opposite of the negated plane's
 };
 
 template <Rounding rounding>
@@ -61,7 +61,7 @@ PrecisionTally tally(std::uint64_t pairs, std::uint64_t seed) {
         result.otherSigns += sign != static_cast<double>(full);
         const glm::vec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
         const glm::vec4 plane(normal, -glm::dot(normal, p[0]));
-        // A record may hold a triangle's plane negated, where its edge runs the other way.
+        // A record may hold a triangle's plane negated, if its edge runs the other way.
         typename Shaders::Plane planes;
         result.planes += !(planes.planeSide(Vec4(plane), Vec4(light), 0.0) ==
                            -planes.planeSide(Vec4(-plane), Vec4(light), 0.0));
@@ -91,12 +91,12 @@ TEST(ClosedChainWith16MantissaBits, IsClosedHoweverTheDeviceRounds) {
     for (const PrecisionTally& t : {nearest, towardsZero, down}) {
         EXPECT_EQ(t.referenceEdge, 0u);
         EXPECT_EQ(t.threeEdge, 0u);
-        // The lights are hard enough for that to say something.
+        // The lights are hard enough for a meaningful result.
         EXPECT_GT(t.singleEdge, t.pairs / 20);
         EXPECT_GT(t.otherSigns, t.pairs / 100);
     }
-    // A device that rounds down would give a plane and its opposite one side now and then; none is
-    // known, and IEEE's modes of rounding that WebGL's devices have are even.
+    // A device that rounds down would sometimes put a plane and its opposite on the same side. No
+    // such device is known; the IEEE rounding modes of WebGL's devices are symmetric.
     EXPECT_EQ(nearest.planes, 0u);
     EXPECT_EQ(towardsZero.planes, 0u);
 }

@@ -1,6 +1,6 @@
-// The closed chain (docs/method.md): whatever the signs are, what sides and caps emit must have
-// no boundary. Here the chain itself is built, triangle by triangle, from the records that the
-// packer emits; closed_chain_bulk_test.cpp tries many more by their multiplicities alone.
+// The closed chain (docs/method.md): for any signs, the emitted sides and caps must have no
+// boundary. This test builds the chain itself, triangle by triangle, from the packer's records;
+// closed_chain_bulk_test.cpp tries many more by their multiplicities alone.
 #include "open_chain_tally.hpp"
 #include "preprocess/volumes/shadow_data.hpp"
 #include "tests/support/emitted_chain.hpp"
@@ -17,7 +17,7 @@ namespace {
 
 using namespace shader_arithmetic;
 
-/// A mesh with its records, as they are and expanded.
+/// A mesh with its records, unexpanded and expanded.
 struct PackedMesh {
     BatchTopology topology;
     BatchShadow shadow;
@@ -43,7 +43,7 @@ bool isClosed(const Soup& soup, const glm::vec4& light) {
     return chainOf<Method>(PackedMesh(soup, 5), light).isCycle();
 }
 
-/// Open chains by method, and how often the two verdicts differ.
+/// Open chains by method, and the number of times the two verdicts differ.
 struct ChainCount {
     std::array<std::size_t, chainMethodCount> open{};
     std::size_t differing = 0;
@@ -97,7 +97,7 @@ TEST(Chain, ATurnedFaceBreaksACycle) {
 }
 
 TEST(EmittedChain, OfATriangleIsAPrism) {
-    // Two caps and three sides of two triangles, from either side; nothing in its plane.
+    // From either side two caps and three sides of two triangles each; nothing in its plane.
     const PackedMesh mesh(oneTriangle, 1);
     EXPECT_EQ(chainOf<ReferenceEdge>(mesh, {0, 0, 5, 1}).triangleCount(), 8u);
     EXPECT_EQ(chainOf<ReferenceEdge>(mesh, {0, 0, -5, 0}).triangleCount(), 8u);
@@ -180,7 +180,7 @@ TEST(ClosedChain, OfATriangleForEveryKindOfLight) {
 }
 
 TEST(ClosedChain, TheTallyCountsWhatTheChainsSay) {
-    // The same pairs again, this time as whole chains.
+    // The same pairs, now as whole chains.
     constexpr std::uint64_t pairs = 35'000, seed = 3;
     const OpenChainTally tally = tallyOpenChains(pairs, seed);
     OpenChainTally expected;

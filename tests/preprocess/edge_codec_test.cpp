@@ -49,7 +49,7 @@ RC_GTEST_PROP(EdgeCodec, SoupsComeBack, ()) {
 }
 
 TEST(EdgeCodec, TheStreamsOfTheCubeAreThese) {
-    // A file that was packed once must be read for ever.
+    // Files that were packed once must stay readable.
     const test::Built cube = test::build(test::cube());
     const EncodedEdges streams = encodeEdges(cube.edges);
     EXPECT_EQ(hexOf(streams.vertices),

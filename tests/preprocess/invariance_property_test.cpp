@@ -1,4 +1,4 @@
-// What a mesh's records depend on: its triangles as sets of positions, and nothing else.
+// A mesh's records depend only on its triangles as sets of positions.
 #include "preprocess/volumes/published/caps_data.hpp"
 #include "tests/support/record_multiplicity.hpp"
 #include "tests/support/small_soups.hpp"
@@ -12,7 +12,7 @@
 namespace edgeshade::test {
 namespace {
 
-/// The soup's triangles in another order, each turned or mirrored.
+/// The soup's triangles in another order, each rotated or mirrored.
 Soup shuffled(const Soup& soup) {
     std::vector<std::vector<std::uint32_t>> triangles;
     for (std::size_t i = 0; i < soup.indices.size(); i += 3)
@@ -31,7 +31,7 @@ Soup shuffled(const Soup& soup) {
     return result;
 }
 
-/// The soup with a position of its own for every corner.
+/// The soup with a separate position for every corner.
 Soup unindexed(const Soup& soup) {
     Soup result;
     for (const std::uint32_t index : soup.indices) {

@@ -23,7 +23,7 @@ Soup triangleTwice(bool sameWinding) {
     return soup;
 }
 
-/// How often the triangle runs from `a` to `b`, less how often back: 1, 0 or -1.
+/// 1 if the triangle runs from `a` to `b`, -1 if back, 0 if neither or both.
 int runs(const Triangle& triangle, std::uint32_t a, std::uint32_t b) {
     int sum = 0;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -33,8 +33,8 @@ int runs(const Triangle& triangle, std::uint32_t a, std::uint32_t b) {
     return sum;
 }
 
-/// Components and closed triangles again, with neither edges nor sets: labels spread until none
-/// changes, and every pair of vertices is asked for its balance.
+/// Components and closed triangles computed without edges or sets: labels spread until none
+/// changes, and the balance of every pair of vertices is checked.
 std::pair<std::size_t, std::size_t> bySpreading(const WeldedMesh& mesh) {
     const auto& triangles = mesh.triangles;
     std::vector<std::size_t> label(triangles.size());
@@ -107,7 +107,7 @@ TEST(MeshStatistics, ACubeInsideOutIsClosedToo) {
 }
 
 TEST(MeshStatistics, AnOpenBoxIsNotClosed) {
-    // The rim's 4 edges have one triangle; 8 others and 5 diagonals two.
+    // The rim's 4 edges have one triangle; 8 other edges and 5 diagonals have two.
     const MeshStatistics statistics = statisticsOf(openBox());
     EXPECT_EQ(statistics.triangles, 10u);
     EXPECT_EQ(statistics.edgesByOppositeCount, (ByCount{{1, 4}, {2, 13}}));
@@ -151,7 +151,7 @@ TEST(MeshStatistics, ATriangleTwiceTheSameWayIsNotOriented) {
 }
 
 TEST(MeshStatistics, ATJunctionConnectsNothing) {
-    // A-C below is no edge of what is above, where A-M and M-C are; only M-E is shared.
+    // A-C below is no edge of the triangles above, which have A-M and M-C; only M-E is shared.
     const MeshStatistics statistics = statisticsOf(tJunction());
     EXPECT_EQ(statistics.edgesByOppositeCount, (ByCount{{1, 7}, {2, 1}}));
     EXPECT_EQ(statistics.components, 2u);
@@ -173,7 +173,7 @@ TEST(MeshStatistics, CubesThatShareAnEdgeAreClosed) {
     EXPECT_EQ(statistics.edgesByOppositeCount, (ByCount{{2, 34}, {4, 1}}));
     EXPECT_EQ(statistics.components, 1u);
     EXPECT_EQ(statistics.closedOrientedTriangles, 24u);
-    // One of them inside out is still a closed chain; one of its triangles turned is not.
+    // With one of them inside out it is still a closed chain; with one triangle reversed it is not.
     for (std::size_t i = 36; i < 72; i += 3)
         std::swap(soup.indices[i], soup.indices[i + 1]);
     EXPECT_EQ(statisticsOf(soup).closedOrientedTriangles, 24u);
@@ -206,7 +206,7 @@ TEST(MeshStatistics, OnlyClosedComponentsCountAsClosed) {
 
 RC_GTEST_PROP(MeshStatistics, ComponentsAreThoseFoundBySpreading, ()) {
     Soup soup = latticeSoup();
-    // Half the time every triangle has its back, so that closed components occur.
+    // In half of the cases every triangle also has its back, so that closed components occur.
     if (*rc::gen::arbitrary<bool>())
         for (std::size_t i = soup.indices.size(); i-- > 0;)
             soup.indices.push_back(soup.indices[i]);

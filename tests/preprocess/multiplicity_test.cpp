@@ -1,6 +1,7 @@
-// Multiplicities by hand. The rule that the comments use: turn every triangle so that the light
-// sees it counter-clockwise; an edge's multiplicity is the number of triangles that run from its
-// smaller to its larger vertex minus those that run back. At each vertex, what arrives leaves.
+// Multiplicities worked out manually. The comments use this rule: turn every triangle so that the
+// light sees it counter-clockwise; an edge's multiplicity is the number of triangles that run from
+// its smaller to its larger vertex minus the number that run back. At each vertex, arrivals equal
+// departures.
 #include "tests/support/record_multiplicity.hpp"
 #include "tests/support/tiny_meshes.hpp"
 
@@ -23,7 +24,7 @@ void expectSilhouette(const Soup& soup, const glm::vec4& light, const Silhouette
 constexpr Point c000 = {0, 0, 0}, c100 = {1, 0, 0}, c010 = {0, 1, 0}, c110 = {1, 1, 0};
 constexpr Point c001 = {0, 0, 1}, c101 = {1, 0, 1}, c011 = {0, 1, 1}, c111 = {1, 1, 1};
 
-/// A < B in one triangle with C on all sides: A = (0,0,0), B = (0,1,0), C = (1,0,0).
+/// A < B in one triangle, with C on all sides: A = (0,0,0), B = (0,1,0), C = (1,0,0).
 const Soup oneTriangle{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 1, 2}};
 
 } // namespace
@@ -53,7 +54,7 @@ TEST(Multiplicity, IsZeroWithTheLightInThePlane) {
     expectSilhouette(oneTriangle, {5, 5, 0, 1}, {});         // a point beside it
     expectSilhouette(oneTriangle, {0.25f, 0.25f, 0, 1}, {}); // inside it
     expectSilhouette(oneTriangle, {1, 0, 0, 1}, {});         // on a vertex
-    expectSilhouette(oneTriangle, {3, 2, 0, 0}, {});         // a sun along it
+    expectSilhouette(oneTriangle, {3, 2, 0, 0}, {});         // in its plane
 }
 
 TEST(Multiplicity, OfACubeFromAboveIsTwoAroundTheTop) {
@@ -65,7 +66,7 @@ TEST(Multiplicity, OfACubeFromAboveIsTwoAroundTheTop) {
 }
 
 TEST(Multiplicity, OfACubeUnderTheSunIsOneAtTopAndBottom) {
-    // The four upright faces are edge-on and add 0; top and bottom run the same way, seen from
+    // The four upright faces are edge-on and add 0; top and bottom run the same way as seen from
     // above.
     expectSilhouette(cube(), {0, 0, 1, 0},
                      {{{c001, c101}, 1},
@@ -79,9 +80,9 @@ TEST(Multiplicity, OfACubeUnderTheSunIsOneAtTopAndBottom) {
 }
 
 TEST(Multiplicity, OfACubeWithTheLightInItsTopPlane) {
-    // The face x = 1 faces the light, the top adds 0, the rest turns away. From the light the face
-    // runs 100 -> 110 -> 111 -> 101; its upper edge borders on the top alone, hence 1. The top's
-    // other edges keep what the faces below them say.
+    // The face x = 1 faces the light, the top adds 0, the rest faces away. From the light the face
+    // runs 100 -> 110 -> 111 -> 101; its upper edge borders only on the top, hence 1. At the top's
+    // other edges the faces below them decide.
     expectSilhouette(cube(), {3, 0.5f, 1, 1},
                      {{{c100, c110}, 2},
                       {{c110, c111}, 2},
@@ -93,12 +94,12 @@ TEST(Multiplicity, OfACubeWithTheLightInItsTopPlane) {
 }
 
 TEST(Multiplicity, OfACubeWithTheLightInsideIsZero) {
-    // Every face turns away: neighbours cancel.
+    // Every face is turned away: neighbours cancel.
     expectSilhouette(cube(), {0.5f, 0.25f, 0.5f, 1}, {});
 }
 
 TEST(Multiplicity, OfAnOpenBoxIsOneAroundTheRim) {
-    // All faces turn away from a light above or inside: only the rim has nothing to cancel it.
+    // All faces are turned away from a light above or inside: only at the rim nothing cancels.
     const Silhouette rim{
         {{c001, c101}, 1}, {{c101, c111}, 1}, {{c011, c111}, -1}, {{c001, c011}, -1}};
     expectSilhouette(openBox(), {0.5f, 0.5f, 3, 1}, rim);
@@ -162,7 +163,7 @@ TEST(Multiplicity, OfAMoebiusStripNeedsNoOrientation) {
                                {{p1, p3}, -1}, {{p1, p4}, -1}, {{p2, p4}, 1},  {{p3, p4}, -2}};
     expectSilhouette(moebiusStrip(), {0, 0, 1, 0}, fromAbove);
     expectSilhouette(moebiusStrip(), {2, 1, 100, 1}, fromAbove);
-    // 012 and 123 lie in the plane x = z, and so does this light; the other three turn as before.
+    // 012 and 123 lie in the plane x = z, and so does this light; the other three run as before.
     expectSilhouette(moebiusStrip(), {1, 9, 1, 1},
                      {{{p0, p1}, -1},
                       {{p0, p3}, -1},

@@ -11,10 +11,10 @@ static_assert(OpenChainTally::kinds == lightKindCount);
 using glm::vec3;
 using glm::vec4;
 
-// Sides and caps are two programs: their arithmetic must not be merged by the optimiser here, nor
-// be compiled at one site alone. Arguments go by reference: with vectors by value, the last of them
-// on the stack, GCC 12.2 was seen to give other counts at -O2 and -O3 than at -O0, and the same
-// ones again with -fno-ipa-modref.
+// Sides and caps are two programs, so that the optimiser must neither merge their arithmetic here
+// nor compile it at one site alone. Arguments go by reference: with vectors by value, the last of
+// them on the stack, GCC 12.2 gave other counts at -O2 and -O3 than at -O0, and the same ones with
+// -fno-ipa-modref.
 
 /// A record of two opposite vertices, the second absent, as sides.vert sees it.
 template <class Method>
@@ -47,8 +47,8 @@ bool isOpen(const Corners& p, const vec4& light) {
     return ab != facing || ac != -facing || bc != facing;
 }
 
-/// x y - x y is 0 unless one of the two products isn't rounded. The compiler can't know that they
-/// are the same two.
+/// x y - x y is 0 unless only one of the two products is rounded. The compiler can't know that the
+/// two are equal.
 [[gnu::noinline]] bool contracts() {
     volatile float factor = 1.0f + 0x1p-12f;
     const float a = factor, b = factor, c = factor, d = -factor;

@@ -17,17 +17,17 @@ enum class ChainMethod { referenceEdge, threeEdge, singleEdge };
 constexpr std::size_t chainMethodCount = 3;
 
 struct OpenChainTally {
-    static constexpr std::size_t kinds = 7; ///< of lights, as in hard_lights.hpp
+    static constexpr std::size_t kinds = 7; ///< of lights, see hard_lights.hpp
 
     std::array<std::uint64_t, kinds> pairs{};   ///< triangles with a light, by its kind
     std::array<std::uint64_t, kinds> casting{}; ///< of those, with a sign other than 0
-    /// Of the pairs, how many chains have a boundary.
+    /// Number of these pairs whose chain has a boundary.
     std::array<std::array<std::uint64_t, kinds>, chainMethodCount> open{};
     bool fused = false; ///< whether the arithmetic was contracted to fused multiply-adds
 
-    /// Whether the pairs are hard enough for "none is open" to mean something: nearly all triangles
-    /// cast under lights anywhere, and the single edge opens a tenth of the chains or more wherever
-    /// the light is in line with the triangle.
+    /// Whether the pairs are hard enough for "none is open" to be meaningful: nearly all triangles
+    /// cast under lights in general positions, and the single edge opens at least a tenth of the
+    /// chains where the light is in line with the triangle.
     bool isTelling() const;
 
     std::uint64_t openOf(ChainMethod method) const {
@@ -42,13 +42,13 @@ struct OpenChainTally {
 std::array<bool, chainMethodCount> isOpenByMethod(const std::array<glm::vec3, 3>& corners,
                                                   const glm::vec4& light);
 
-/// Tries `pairs` random triangles with a light each, all methods on the same ones.
+/// Tries `pairs` random triangles with one light each, the same ones for all methods.
 OpenChainTally tallyOpenChains(std::uint64_t pairs, std::uint64_t seed);
 
 /// Prints the tally and records it as properties of the running test.
 void reportOpenChains(const OpenChainTally& tally);
 
-/// Triangle-light pairs that a tally takes.
+/// Triangle-light pairs of a tally.
 constexpr std::uint64_t tallyPairs = 10'500'000;
 
 } // namespace edgeshade::test

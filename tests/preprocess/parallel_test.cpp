@@ -45,7 +45,7 @@ TEST(Parallel, WhatOneThrowsIsThrown) {
 TEST(RadixSort, AsComparingDoes) {
     Random random(4);
     for (const std::size_t count : {0, 1, 2, 256, 257, 5000, 140'000})
-        for (const int different : {1, 3, 2000, 1 << 30}) { // values a word has
+        for (const int different : {1, 3, 2000, 1 << 30}) { // numbers of different values of a word
             std::vector<Keyed<3>> items(count);
             for (std::size_t i = 0; i < count; ++i) {
                 for (std::uint32_t& word : items[i].key)

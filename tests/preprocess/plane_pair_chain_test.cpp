@@ -1,5 +1,5 @@
-// The closed chain (docs/method.md) of plane-pair records: whatever the signs are, what sides and
-// caps of a cluster emit must have no boundary, with every triangle counted and, in closed ones,
+// The closed chain (docs/method.md) of plane-pair records: for any signs, the emitted sides and
+// caps of a cluster must have no boundary, with every triangle counted and, in closed clusters,
 // with one facing alone.
 #include "tests/support/plane_pair_chain.hpp"
 #include "tests/support/small_soups.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 using test::Soup;
 
-/// A soup with its records, all of it opaque.
+/// An opaque soup with its records.
 struct PlanePairMesh {
     CasterMesh mesh;
     EdgeList edges;
@@ -133,7 +133,8 @@ RC_GTEST_PROP(PlanePairChain, OfLatticeSoups, ()) {
 }
 
 RC_GTEST_PROP(PlanePairChain, MultiplicitiesAreThePublishedOnes, ()) {
-    // On a small lattice both ways to find a sign are exact, so that the silhouettes are the same.
+    // On a small lattice both ways of finding a sign are exact, so that the silhouettes are the
+    // same.
     const PlanePairMesh mesh(test::latticeSoup());
     const glm::vec4 light = test::latticeLight();
     const auto oppositeVertices = test::silhouetteOf<shader_arithmetic::ReferenceEdge>(
@@ -144,7 +145,7 @@ RC_GTEST_PROP(PlanePairChain, MultiplicitiesAreThePublishedOnes, ()) {
                     test::pointOf(glm::vec4(record.b, 0))}] +=
             test::multiplicityOf(record, light, test::countAll);
     };
-    // Normals of unit length are rounded: leave out lights next to a plane.
+    // Unit normals are rounded, so lights next to a plane are left out.
     for (const CapRecord& cap : mesh.shadow.caps) {
         const glm::dvec3 normal = glm::cross(glm::dvec3(cap.b - cap.a), glm::dvec3(cap.c - cap.a));
         const double side =

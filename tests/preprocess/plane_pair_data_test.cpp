@@ -55,14 +55,15 @@ TEST(Coplanar, IsExact) {
     EXPECT_TRUE(areCoplanar({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 7, 0}));
     EXPECT_FALSE(areCoplanar({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 7, 1e-30f}));
     EXPECT_TRUE(areCoplanar({1, 1, 1}, {1, 1, 1}, {0, 1, 0}, {5, 7, 0})); // two points coincide
-    // On x + y = z, as far as floats can say.
+    // On x + y = z, as exactly as floats can be.
     EXPECT_TRUE(areCoplanar({0.5f, 0.25f, 0.75f}, {3, 4, 7}, {-2, 0.125f, -1.875f}, {8, 8, 16}));
     EXPECT_FALSE(areCoplanar({0.5f, 0.25f, 0.75f}, {3, 4, 7}, {-2, 0.125f, -1.875f},
                              {8, 8, std::nextafter(16.0f, 17.0f)}));
 }
 
 TEST(Coplanar, AgreesWithIntegersOfAnySize) {
-    // Points u a + v b of small integers, far off and scaled, then one of them moved by one step.
+    // Points u a + v b with small integers, far away and scaled, then one of them moved by one
+    // step.
     test::Random random(11);
     for (int i = 0; i < 20'000; ++i) {
         const auto number = [&] { return static_cast<double>(random.below(33) - 16); };
@@ -112,7 +113,8 @@ TEST(PlanePairData, EdgesWithinAFlatPatchAreDropped) {
 }
 
 TEST(PlanePairData, AFoldKeepsItsEdge) {
-    // Two triangles in one plane, on the same side of their edge: a silhouette from everywhere.
+    // Two triangles in one plane, on the same side of their edge, which is a silhouette from
+    // everywhere.
     const PlanePairShadow shadow =
         planePairsOf({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {0, 1, 2, 1, 0, 3}});
     EXPECT_EQ(shadow.flatPairs, 0u);
@@ -254,7 +256,7 @@ TEST(OppositePairs, FlatOnesCancelFirst) {
 
 namespace {
 
-/// A sheet of triangles along x that bends by `degrees` at every line between two cells.
+/// A sheet of triangles along x that bends by `degrees` at every line between cells.
 Soup bentSheet(int cells, double degrees) {
     Soup soup;
     glm::dvec3 at(0.0);
@@ -309,10 +311,10 @@ TEST(FlatTolerance, APatchTakesThePlaneOfItsLargestExactlyFlatPart) {
 }
 
 TEST(FlatTolerance, EdgesOfOtherThanTwoOppositeTrianglesAreNotCrossed) {
-    // The second page of the fin's three bends by nothing from the first.
+    // The fin's second page doesn't bend away from the first.
     const Soup fin = test::fin();
     EXPECT_EQ(differentPlanes(planesOf(fin, 44.0)), differentPlanes(planesOf(fin, 0.0)));
-    // Two triangles of a flat sheet that run the same way through their edge.
+    // Two triangles of a flat sheet that run the same way along their edge.
     const Soup turned{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0.01f}}, {0, 1, 2, 1, 2, 3}};
     EXPECT_EQ(differentPlanes(planesOf(turned, 44.0)), 2u);
     const Soup right{turned.positions, {0, 1, 2, 2, 1, 3}};

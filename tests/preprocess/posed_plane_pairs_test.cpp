@@ -1,4 +1,4 @@
-// Records of what deforms: the same topology, the pose's planes, and a chain that stays closed.
+// Records of deforming meshes: the same topology, the pose's planes, and a chain that stays closed.
 #include "preprocess/gltf/gltf_reading.hpp"
 #include "preprocess/reading/flatten.hpp"
 #include "preprocess/scene/posing.hpp"
@@ -12,7 +12,7 @@
 namespace edgeshade::test {
 namespace {
 
-/// The batches of a scene that deform, with their records at rest.
+/// A scene's deforming batches, with their records at rest.
 struct Deforming {
     Scene scene;
     std::vector<std::pair<Batch*, PlanePairShadow>> batches;
@@ -27,7 +27,7 @@ struct Deforming {
     }
 };
 
-/// Caps are where the surfaces' triangles are.
+/// Expects caps in the places of the surfaces' triangles.
 void expectCornersOfSurfaces(const PlanePairShadow& posed, const Batch& batch,
                              const std::vector<Material>& materials) {
     const Casters casters = castersOf(batch, materials, true);
@@ -43,7 +43,7 @@ void expectCornersOfSurfaces(const PlanePairShadow& posed, const Batch& batch,
 
 std::vector<glm::vec4> lightsFor(const Batch& batch, Random& random, int count) {
     std::vector<glm::vec4> lights = {{0, 1, 0, 0}, {0.3f, 0.8f, 0.4f, 0}, {0, 3, 0, 1}};
-    for (int i = 0; i < count; ++i) { // at vertices too
+    for (int i = 0; i < count; ++i) { // also at vertices
         const auto v = static_cast<std::size_t>(
             random.below(static_cast<int>(batch.geometry->positions.size())));
         lights.emplace_back(batch.geometry->positions[v], 1.0f);
@@ -66,7 +66,7 @@ TEST(PosedPlanePairs, HalfOfTheFiguresEdgesHaveTwoTrianglesAndAllAreClosed) {
 }
 
 TEST(PosedPlanePairs, FlatPairsStay) {
-    // A flag that is flat at rest: no edge is dropped, for it may wave.
+    // A flag that is flat at rest: no edge may be dropped, since it may wave.
     GltfBuilder gltf = morphingBall(4, 4);
     gltf.json["nodes"].back()["weights"] = {0, 0};
     const Deforming flag(gltf);
@@ -121,7 +121,7 @@ TEST(PosedPlanePairs, PlanesAndBoxesAreThePoses) {
 }
 
 TEST(PosedPlanePairs, WhatTouchesAtRestComesApart) {
-    // Two triangles with an edge in common, one of which a target moves away.
+    // Two triangles with a common edge; a target moves one of them away.
     GltfBuilder gltf;
     Shape shape;
     shape.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}};

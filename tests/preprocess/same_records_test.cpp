@@ -1,5 +1,5 @@
-// Records are the same whatever found them: any number of threads, and the plain code that was here
-// before, which sorted by comparing and went triangle by triangle.
+// Records are the same with any number of threads, and the same as those of earlier plain code,
+// which sorted by comparison and went triangle by triangle.
 #include "tests/preprocess/shared_scene.hpp"
 #include "tests/support/generated_meshes.hpp"
 #include "tests/support/record_hash.hpp"
@@ -9,12 +9,12 @@
 namespace edgeshade::test {
 namespace {
 
-/// What the plain code made of a mesh whose first half is single-sided, whose third quarter is
-/// double-sided and whose last is alpha-tested.
+/// The plain code's results for a mesh whose first half is single-sided, whose third quarter is
+/// double-sided and whose last quarter is alpha-tested.
 struct Known {
     const char* kind;
     std::size_t triangles;
-    std::uint64_t mesh, records, nearlyFlatRecords; ///< hashes; the last of 3 degrees
+    std::uint64_t mesh, records, nearlyFlatRecords; ///< hashes; the last for 3 degrees
 };
 
 constexpr Known known[] = {

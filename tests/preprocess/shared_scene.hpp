@@ -1,6 +1,6 @@
 #pragma once
 
-// The models beside the repository, where they are there.
+// Paths of the models beside the repository, if they exist.
 
 #include "preprocess/gltf/gltf_reading.hpp"
 #include "preprocess/reading/flatten.hpp"
@@ -19,7 +19,7 @@ inline Scene readSharedScene(const std::string& name,
     return flattenScene(readGltf(sharedScenePath(name)), 0.0, {}, instances);
 }
 
-/// Ends the running test where the scene isn't there.
+/// Skips the running test if the scene doesn't exist.
 #define SKIP_WITHOUT_SHARED_SCENE(name)                                                            \
     if (!std::filesystem::exists(sharedScenePath(name)))                                           \
     GTEST_SKIP() << "no scene '" << sharedScenePath(name).string() << "' on this machine"

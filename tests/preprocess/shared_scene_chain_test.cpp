@@ -1,4 +1,4 @@
-// The closed chain on real models: their own records, ten lights each.
+// The closed chain on real models: their own records, with ten lights each.
 #include "preprocess/volumes/shadow_data.hpp"
 #include "shared_scene.hpp"
 #include "tests/support/hard_lights.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t lightsPerScene = 10;
 
-/// Lights around, on and in line with triangles of the mesh, every kind in turn.
+/// Lights around, on and in line with triangles of the mesh, cycling through all kinds.
 std::vector<glm::vec4> lightsFor(const WeldedMesh& mesh, std::uint64_t seed) {
     Random random(seed);
     std::vector<glm::vec4> lights;

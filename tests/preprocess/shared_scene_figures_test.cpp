@@ -1,5 +1,5 @@
-// What real models are made of (docs/method.md), welded on exact positions. Closed counts edges
-// with as many triangles in one direction as in the other, any number of them.
+// Statistics of real models (docs/method.md), welded on exact positions. Closed counts edges with
+// as many triangles in one direction as in the other, whatever their number.
 #include "preprocess/volumes/shadow_data.hpp"
 #include "shared_scene.hpp"
 
@@ -12,7 +12,7 @@ namespace {
 
 using ByCount = std::map<std::uint32_t, std::size_t>;
 
-/// Everything that casts when MASK and BLEND surfaces do too.
+/// All casters if MASK and BLEND surfaces cast too.
 MeshStatistics statisticsOf(const std::string& name) {
     BuildSeconds seconds;
     MeshStatistics sum;

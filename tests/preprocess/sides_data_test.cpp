@@ -21,7 +21,7 @@ SidesData sidesOf(const Soup& soup, int maxMultiplicity) {
     return buildSides(built.mesh.positions, built.edges, maxMultiplicity);
 }
 
-/// How many opposite vertices the record holds.
+/// Number of opposite vertices in the record.
 int held(std::span<const glm::vec4> record) {
     int count = 0;
     for (const glm::vec4& opposite : record.subspan(2))
@@ -32,7 +32,8 @@ int held(std::span<const glm::vec4> record) {
 } // namespace
 
 TEST(SidesData, OrderSaysWhereTheOppositeStands) {
-    // 1 < 2 < 3 on the line: opposite to (1,2) is the last, to (1,3) between, to (2,3) the first.
+    // With 1 < 2 < 3 on the line, the vertex opposite (1,2) is last, opposite (1,3) between,
+    // opposite (2,3) first.
     const Soup soup{{{1, 0, 0}, {2, 1, 0}, {3, 0, 0}}, {2, 0, 1}};
     EXPECT_EQ(sidesOf(soup, 1).records, (Vectors{{1, 0, 0, 0},
                                                  {2, 1, 0, 0},
@@ -65,7 +66,8 @@ TEST(SidesData, RecordMultiplicityIsTheLargestCountWithinOneToFive) {
 }
 
 TEST(SidesData, AnEdgeWithMoreOppositesIsSplit) {
-    // The spine's 128 take 25 records of five and one of three; the other 256 edges one each.
+    // The spine's 128 triangles take 25 records of five and one of three; the other 256 edges take
+    // one each.
     const SidesData sides = build(fan(128)).sides;
     EXPECT_EQ(sides.maxMultiplicity, 5);
     EXPECT_EQ(sides.recordCount(), 26u + 256u);
@@ -106,7 +108,7 @@ TEST(SidesData, RecordCountIsWhatIsEmitted) {
 }
 
 TEST(SidesData, ExpandedHasVertexInAAndSideInB) {
-    const SidesData sides = build(fin()).sides; // three opposite vertices a record
+    const SidesData sides = build(fin()).sides; // three opposite vertices per record
     const auto expanded = expandSides(sides, 0, sides.recordCount());
     ASSERT_EQ(sides.maxMultiplicity, 3);
     ASSERT_EQ(expanded.size(), sides.recordCount() * 3 * 6 * 5);

@@ -35,14 +35,14 @@ TEST(SnapPositions, ExactlyTheToleranceApartStays) {
 }
 
 TEST(SnapPositions, DistanceIsEuclidean) {
-    // (0.4, 0.4, 0.4) is 0.69 away: within 0.5 on every axis, yet too far.
+    // (0.4, 0.4, 0.4) is 0.69 away: within 0.5 on every axis, but too far.
     const Positions apart = {{0, 0, 0}, {0.4f, 0.4f, 0.4f}};
     EXPECT_EQ(snapped(apart, 0.5), apart);
     EXPECT_EQ(snapped(apart, 0.7), (Positions{{0, 0, 0}, {0, 0, 0}}));
 }
 
 TEST(SnapPositions, CellBordersDoNotSeparate) {
-    // On both sides of 0 and of 1, borders of the grid, in every direction.
+    // On both sides of 0 and of 1, which are borders of the grid, in every direction.
     for (glm::length_t axis = 0; axis < 3; ++axis) {
         glm::vec3 below(0.5f), above(0.5f);
         below[axis] = -0.01f, above[axis] = 0.01f;
@@ -59,8 +59,8 @@ TEST(SnapPositions, ChainsDoNotCreep) {
 }
 
 TEST(SnapPositions, OfSeveralTheFirstAttracts) {
-    // 1 and -0.05 are 1.05 apart and stay; 0.5 is within 1 of both and goes to 1, which came
-    // first, whatever grid cells they are in.
+    // 1 and -0.05 are 1.05 apart and stay; 0.5 is within 1 of both and goes to 1, which came first,
+    // whichever grid cells they are in.
     EXPECT_EQ(snapped({{1, 0, 0}, {-0.05f, 0, 0}, {0.5f, 0, 0}}, 1.0),
               (Positions{{1, 0, 0}, {-0.05f, 0, 0}, {1, 0, 0}}));
 }

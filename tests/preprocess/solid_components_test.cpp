@@ -1,4 +1,4 @@
-// Which components are surfaces of solids, beyond those that CullingPlan's scenes have
+// Components that are surfaces of solids, in addition to those in CullingPlan's scenes
 // (docs/method.md, C39).
 #include "preprocess/mesh/solid_components.hpp"
 #include "preprocess/mesh/triangle_crossing.hpp"
@@ -10,7 +10,7 @@
 namespace edgeshade {
 namespace {
 
-/// Triangles by their corners.
+/// Triangles given by their corners.
 struct Soup {
     std::vector<glm::vec3> corners;
 
@@ -24,7 +24,7 @@ struct Soup {
              {std::array{a, c, b}, std::array{a, b, d}, std::array{a, d, c}, std::array{b, c, d}})
             inwards ? add(p, r, q) : add(p, q, r);
     }
-    /// A cone of so many sides over a disc.
+    /// A cone with this many sides, over a disc.
     void addCone(int sides, float radius, float rise) {
         const auto rim = [&](int i) {
             const float angle = 2.0f * std::numbers::pi_v<float> * static_cast<float>(i % sides) /
@@ -60,11 +60,11 @@ TEST(SolidComponents, AreToldOneByOne) {
 }
 
 TEST(SolidComponents, ThatTouchThemselvesAreAndThatCrossThemselvesAreNot) {
-    // A fold: a spike through the opposite side, and one that only reaches it.
+    // A fold: a spike through the opposite side, and one that only touches it.
     for (const float tip : {0.9f, 1.5f}) {
         Soup soup;
         const glm::vec3 a(0, 0, 0), b(4, 0, 0), c(4, 0, 4), d(0, 0, 4), apex(2, 1, 2);
-        const glm::vec3 in(2, tip, 2); // of the floor, drawn upwards
+        const glm::vec3 in(2, tip, 2); // a point of the floor, pulled upwards
         for (const auto& [p, q] : {std::pair{a, b}, {b, c}, {c, d}, {d, a}}) {
             soup.add(apex, q, p);
             soup.add(in, p, q);
@@ -88,7 +88,7 @@ TEST(SolidComponents, OfAnySizeAndPlace) {
 TEST(SolidComponents, EdgesOfFourTrianglesAreNoManifold) {
     Soup soup;
     soup.addTetrahedron({0, 0, 0}, 1);
-    // Another over the same edge, on its other side.
+    // Another component over the same edge, on its other side.
     soup.add({0, 0, 0}, {1, 0, 0}, {0, -1, 0});
     soup.add({0, 0, 0}, {0, -1, 0}, {0, 0, -1});
     soup.add({0, 0, 0}, {0, 0, -1}, {1, 0, 0});
@@ -96,7 +96,7 @@ TEST(SolidComponents, EdgesOfFourTrianglesAreNoManifold) {
     EXPECT_EQ(soup.solids(), Flags{0});
 }
 
-// All triangles around a vertex have boxes that overlap there: asking each pair would take minutes.
+// The boxes of all triangles around a vertex overlap there: testing each pair would take minutes.
 TEST(SolidComponents, WithAVertexOfManyTrianglesAreGivenUp) {
     Soup few, many;
     few.addCone(50, 1, 1);

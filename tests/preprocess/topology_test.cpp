@@ -102,7 +102,7 @@ TEST(CasterMesh, AGroupOfDegenerateTrianglesAloneIsLeftOut) {
 }
 
 TEST(CasterMesh, SurfacesOfAllMaterialsAreWeldedTogether) {
-    // Three squares' worth of strip: 5 triangles, of 11 edges 4 inside.
+    // A strip of three squares: 5 triangles, with 4 of 11 edges inside.
     const Batch batch = everyKindOfSurface();
     Scene scene;
     scene.batches = {batch};
@@ -126,7 +126,7 @@ TEST(BuildShadow, SidesAndCapsOfTheWholeBatch) {
     EXPECT_EQ(shadows[0]->caps.recordCount(), 5u);
     EXPECT_EQ(shadows[1]->sides.recordCount(), 3u);
     EXPECT_EQ(shadows[1]->caps.recordCount(), 1u);
-    // One multiplicity for the scene, though the second batch needs but one.
+    // One multiplicity for the whole scene, though the second batch needs only one.
     EXPECT_EQ(shadows[1]->sides.maxMultiplicity, 2);
 }
 
@@ -143,7 +143,7 @@ TEST(BuildShadow, ABatchWithoutCastersHasNone) {
 }
 
 TEST(PositionsHash, IsFnv1aOfTheCornersBytes) {
-    EXPECT_EQ(hashOf(Batch{}), 0xCBF29CE484222325u); // of nothing: its offset basis
+    EXPECT_EQ(hashOf(Batch{}), 0xCBF29CE484222325u); // for nothing: its offset basis
     EXPECT_EQ(hashOf(oneTriangle()), 0x238D5E61A778ED18u);
 }
 

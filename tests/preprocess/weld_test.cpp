@@ -24,7 +24,7 @@ TEST(Weld, NothingGivesNothing) {
 }
 
 TEST(Weld, PositionsAreDistinctAndAscending) {
-    // The corners of two triangles over the square, each with vertices of its own.
+    // The corners of two triangles over the square, each with its own vertices.
     const WeldedMesh mesh = welded(
         {{{1, 1, 0}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 0}}, {0, 1, 2, 3, 4, 5}});
     EXPECT_EQ(mesh.positions, (std::vector<glm::vec3>{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}}));
@@ -63,7 +63,7 @@ TEST(Weld, DenormalsAreNotZero) {
 }
 
 TEST(Weld, TrianglesOfTwoPositionsAreDroppedAndCounted) {
-    // The second uses an index twice, the third a position twice, the fourth one position only.
+    // The second triangle repeats an index, the third a position, the fourth has only one position.
     const WeldedMesh mesh = welded(
         {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0f, 0, 0}}, {0, 1, 2, 1, 1, 2, 0, 2, 3, 0, 3, 0}});
     EXPECT_EQ(mesh.degenerate, 3u);

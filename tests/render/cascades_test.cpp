@@ -1,4 +1,4 @@
-// Cascades of a sun: parts of what is visible that cover all of it, and keep to whole texels.
+// A sun's cascades: parts of the visible geometry that together cover it, and keep to whole texels.
 
 #include "src/render/shadow_map/cascades.hpp"
 
@@ -34,7 +34,7 @@ ShadowMapView viewOf(const FrameView& frame, const Light& light = sun({0.5, 1, -
     return sunMapView(glm::dvec3(light.position), subject, frame, settings);
 }
 
-/// Where a place is in a cascade, 0..1 in its inner part.
+/// Position of a place in a cascade, 0..1 in its inner part.
 glm::dvec2 placeIn(const ShadowMapView& view, std::size_t cascade, const glm::dvec3& world) {
     const glm::dvec2 at(view.mapFromWorld * glm::dvec4(world, 1.0));
     const glm::dvec4& part = view.cascades[cascade];
@@ -101,7 +101,7 @@ TEST(Cascades, TheFirstThatHoldsAllCastersIsTheLast) {
         EXPECT_TRUE(isIn(placeIn(view, view.cascades.size() - 1, corner)));
 }
 
-/// Whether the two have the same texels, all of them moved by as many.
+/// Expects that the two views have the same texels, all of them moved equally.
 void expectSameTexels(const ShadowMapView& one, const ShadowMapView& other) {
     ASSERT_EQ(one.cascades.size(), other.cascades.size());
     for (std::size_t c = 0; c < one.cascades.size(); ++c) {

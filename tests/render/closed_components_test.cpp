@@ -1,6 +1,6 @@
-// Closed components count by their light-facing triangles alone where winding numbers allow it, and
-// in full elsewhere (docs/method.md, C8 and C9): light and eye inside and outside, in the same and
-// in different components, nested and self-intersecting ones.
+// Closed components count only their light-facing triangles where winding numbers allow it, and all
+// triangles elsewhere (docs/method.md, C8 and C9): light and eye inside and outside, in the same
+// and in different components, nested and self-intersecting ones.
 
 #include "preprocess/volumes/plane_pair_data.hpp"
 #include "tests/support/mask_case.hpp"
@@ -19,7 +19,7 @@ using test::sun;
 
 const Camera corner{{5, 4, 6}, {0, 0.5, 0}, 50.0};
 
-/// Whether every component of the scene's casters but the floor is closed.
+/// Whether all of the scene's casters except the floor are closed.
 bool isClosedButTheFloor(const Scene& scene) {
     std::size_t open = 0;
     for (const auto& shadow : buildPlanePairs(scene, false))
@@ -35,7 +35,7 @@ SceneBuilder twoBoxes() {
         .box({1, 0.2f, 0}, {2, 1, 1});
 }
 
-/// A room: a box, and in it a cavity, a box turned inside out; in that a stool.
+/// A room: a box with a cavity, which is a box turned inside out; in it a stool.
 SceneBuilder room() {
     return SceneBuilder()
         .floor(8, -0.5f)
@@ -44,8 +44,8 @@ SceneBuilder room() {
         .box({-0.5f, 0.4f, -0.5f}, {0.5f, 0.8f, 0.5f});
 }
 
-/// A prism over a polygon that crosses itself: its two halves wind 1 and -1 times around what is
-/// in them.
+/// A prism over a polygon that crosses itself: its two halves wind 1 and -1 times around their
+/// contents.
 SceneBuilder bow() {
     SceneBuilder builder = SceneBuilder().floor(6);
     const glm::vec2 corners[] = {{-1.5f, -1}, {1.5f, 1}, {1.5f, -1}, {-1.5f, 1}};
@@ -90,7 +90,8 @@ TEST(ClosedComponents, LightAndEyeInTheSameOne) {
                            .box({-2, 0.5f, -2}, {2, 3, 2})
                            .box({-0.4f, 1, -0.4f}, {0.4f, 1.6f, 0.4f});
     ASSERT_TRUE(isClosedButTheFloor(scene.scene()));
-    // Inside a solid box its faces look away from the light: all is dark but the box within.
+    // Inside a solid box its faces are turned away from the light: everything but the box inside is
+    // dark.
     expectRight(
         {scene.scene(), {{1.5, 2.4, 1.5}, {0, 1.2, 0}, 60.0}, pointLight({-1.2, 2.7, 1}), 0.01});
 }

@@ -1,5 +1,5 @@
 // Volumes counted at a lower resolution (--mask-scale): the same answer as ray casting away from
-// the boundaries of shadows, and none that leaks over the outline of a surface.
+// the boundaries of shadows, and no leaks over the outline of a surface.
 
 #include "preprocess/base/error.hpp"
 #include "src/gl/headless_context.hpp"
@@ -21,7 +21,7 @@ using test::SceneBuilder;
 using test::sun;
 using test::TestView;
 
-constexpr int width = 251, height = 189; // no multiples of 2
+constexpr int width = 251, height = 189; // not multiples of 2
 
 RenderSettings coarse(int scale) {
     RenderSettings settings;
@@ -33,7 +33,7 @@ std::size_t at(int x, int y) {
     return static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
 }
 
-/// Whether all pixels within `reach` have the same of `values` as the pixel.
+/// Whether all pixels within `reach` have the same value as the pixel.
 template <class Value>
 bool isFlat(const std::vector<Value>& values, int x, int y, int reach) {
     for (int ny = std::max(0, y - reach); ny <= std::min(height - 1, y + reach); ++ny)
@@ -44,7 +44,8 @@ bool isFlat(const std::vector<Value>& values, int x, int y, int reach) {
 
 struct Wrong {
     int all = 0;
-    int awayFromBoundaries = 0; ///< of shadows and surfaces, by more than a texel and a half
+    int awayFromBoundaries = 0; ///< more than a texel and a half from boundaries of shadows and
+                                ///< surfaces
     int lit = 0, shadow = 0;
 };
 
@@ -83,7 +84,7 @@ TEST(CoarseMask, IsRightAwayFromBoundaries) {
         for (const int scale : {2, 4}) {
             const Wrong wrong = wrongIn(test::yard().scene(), corner, light, scale);
             EXPECT_EQ(wrong.awayFromBoundaries, 0) << "scale " << scale;
-            // As many as lie along boundaries, but no more.
+            // About as many as lie along boundaries.
             EXPECT_LE(wrong.all, scale * width * height / 300) << "scale " << scale;
             EXPECT_GT(wrong.lit, 1000);
             EXPECT_GT(wrong.shadow, 1000);
@@ -105,7 +106,7 @@ TEST(CoarseMask, IsRightInAnyProjection) {
             }
 }
 
-// A card over a floor, seen from above; a wall beside the view takes the low sun from one of them.
+// A card over a floor, seen from above; a wall beside the view keeps the low sun from one of them.
 // The only boundary in view is the card's outline, so that every pixel must be right.
 //
 //    sun ->      |wall     ____ card
@@ -142,19 +143,20 @@ TEST(CoarseMask, CornersStayClean) {
                             .quad({-3, 0.001f, 0}, {3, 0.001f, 0}, {3, 4, 0}, {-3, 4, 0})
                             .box({-30, 4, 7}, {30, 7.0005f, 7.1f})
                             .scene();
-    // The shadow of the beam's top falls on the corner itself, that of its foot before the view.
+    // The shadow of the beam's top falls on the corner itself; that of its foot ends before the
+    // view.
     const Camera camera{{0.3, 3, 5.5}, {0.2, 0.3, 0}, 24.0};
     for (const int scale : {1, 2, 4}) {
         const Wrong wrong = wrongIn(scene, camera, sun({0.1, 1, 1}), scale);
-        // Along the corner at most the ends have no texel of their own surface.
+        // Along the corner, at most the ends have no texel of their own surface.
         EXPECT_LE(wrong.all, scale == 1 ? 0 : 8) << "scale " << scale;
         EXPECT_GT(wrong.lit, 1000);
         EXPECT_GT(wrong.shadow, 1000);
     }
 }
 
-/// Holes, glass, a mirrored placing, depths from 0.3 to 60, and 300 sheets over each other, which
-/// no 8-bit stencil counts.
+/// Holes, glass, a mirrored placement, depths from 0.3 to 60, and 300 sheets above each other, more
+/// than an 8-bit stencil can count.
 Scene everything() {
     Material cutOut, glass;
     cutOut.alphaMode = AlphaMode::mask;
@@ -197,7 +199,7 @@ TEST(CoarseMask, GoesWithEverythingElse) {
                                std::abs(drawn[4 * at(x, y) + c] - exact[4 * at(x, y) + c]) <= 2;
                     if (same) continue;
                     ++differ;
-                    // Shading changes slowly but at boundaries.
+                    // Shading changes slowly except at boundaries.
                     for (int ny = y - 2 * scale; ny <= y + 2 * scale; ++ny)
                         for (int nx = x - 2 * scale; nx <= x + 2 * scale; ++nx)
                             if (nx >= 0 && ny >= 0 && nx < width && ny < height)
@@ -214,7 +216,7 @@ TEST(CoarseMask, GoesWithEverythingElse) {
 }
 
 TEST(CoarseMask, PictureAndMaskAgree) {
-    // A white floor under a directional light from above: what is lit is 255, what is not 0.
+    // A white floor under a directional light from above: 255 where lit, 0 elsewhere.
     const Scene scene =
         SceneBuilder().floor(9).quad({-1, 2, 2}, {2, 2, 1}, {1, 2, -2}, {-2, 2, -1}).scene();
     TestView view{{{0, 5, 0}, {1, 0, 0.5}, 70.0}, {sun({0.3, 1, 0.2})}, width, height};
@@ -229,7 +231,7 @@ TEST(CoarseMask, PictureAndMaskAgree) {
     }
 }
 
-/// The yard on a GPU, drawn into whatever is bound.
+/// The yard on a GPU, drawn into the bound framebuffer.
 struct Yard {
     explicit Yard(const gl::Capabilities& capabilities, int scale) {
         const Scene scene = test::yard().scene();
@@ -285,7 +287,7 @@ TEST(CoarseMask, DrawsIntoTheFramebufferThatIsBound) {
     glGetIntegerv(GL_FRAMEBUFFER_BINDING, &after);
     EXPECT_EQ(before, after);
     EXPECT_NE(before, 0);
-    // Samples change outlines alone.
+    // Samples only change outlines.
     EXPECT_LT(pixelsUnlike(plain, sampled->readPixels()), width * height / 15);
 }
 

@@ -1,5 +1,6 @@
-// Of surfaces in one place the first in the file is seen, whichever way shadows are told
+// The first one of coinciding surfaces in the file is visible, with every shadow method
 // (docs/method.md, C36).
+
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
 
@@ -46,7 +47,7 @@ std::vector<std::uint8_t> draw(const Scene& scene, const std::vector<Light>& lig
     return test::drawScene(scene, {above, lights, width, height}, settings);
 }
 
-/// Sheets in one plane shade nothing that is seen from the lights' side.
+/// Sheets in one plane cast no shadow that is visible from the lights' side.
 void expectThePictureWithoutShadows(const Scene& scene,
                                     std::initializer_list<ShadowMethod> methods) {
     for (const auto& lights : {std::vector<Light>{pointLight({0.5, 3, 1})},
@@ -58,7 +59,7 @@ void expectThePictureWithoutShadows(const Scene& scene,
 }
 
 TEST(CoincidingSurfaces, TheFirstOfTheFileIsSeen) {
-    // One apart in the same plane, and two twins that are wound opposite ways.
+    // One separate sheet in the same plane, and two twins with opposite winding.
     for (const bool apartIsUp : {false, true})
         for (const bool firstIsUp : {false, true}) {
             const Scene scene = sceneOf({{{1.2, -1}, {1.8, 1}, apartIsUp, red},
@@ -66,7 +67,8 @@ TEST(CoincidingSurfaces, TheFirstOfTheFileIsSeen) {
                                          {{-1, -1}, {1, 1}, !firstIsUp, blue}});
             expectThePictureWithoutShadows(scene,
                                            {ShadowMethod::primitiveMap, ShadowMethod::volumes});
-            // Hardware's depths of other triangles in a plane may differ; no method changes them.
+            // On hardware, depths of different triangles in a plane may differ, whatever the
+            // method.
             if (!test::drawsOnProcessor()) continue;
             const auto picture = draw(scene, {sun({0.3, 1, 0.2})}, ShadowMethod::primitiveMap);
             const std::size_t middle = 4 * (height / 2 * width + width / 2);

@@ -1,4 +1,4 @@
-// What is planned of casters that a scene culls (docs/method.md, C39).
+// The plan for casters that a scene culls (docs/method.md, C39).
 
 #include "src/shadow/plan/count_plan.hpp"
 #include "tests/support/headless.hpp"
@@ -34,7 +34,7 @@ const ClusterPlan& onlyCluster(const CountPlan& plan) {
     return plan.batches.front().volumes.drawn.front();
 }
 
-/// The caps that are drawn where they are.
+/// The caps that are drawn in place.
 std::vector<VolumeDraw> culledCaps(const CountPlan& plan) {
     std::vector<VolumeDraw> draws;
     for (const VolumeDraw& draw : plan.draws.once)
@@ -135,7 +135,7 @@ TEST(Solids, AreClosedOutwardsAndDoNotCrossThemselves) {
     EXPECT_EQ(solidsOf(inwardBox()), Solids{0});
     EXPECT_EQ(solidsOf(SceneBuilder().material(doubleSided()).box({-1, -1, -1}, {1, 1, 1})),
               Solids{0});
-    // Components may cross each other: each hides its own backs.
+    // Components may cross each other: each one hides its own backs.
     EXPECT_EQ(solidsOf(outwardBox().box({0, 0, 0}, {3, 2, 2})), Solids{1});
     // A cavity's surface is wound inwards.
     EXPECT_EQ(solidsOf(outwardBox().box({0.5f, 0.5f, 0.5f}, {-0.5f, -0.5f, -0.5f})), Solids{0});

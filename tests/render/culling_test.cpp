@@ -1,5 +1,5 @@
-// Scenes that cull: backs of single-sided materials are out of sight, and cast all the same
-// (docs/method.md, C39).
+// Scenes that cull: backs of single-sided materials are invisible, but still cast (docs/method.md,
+// C39).
 
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/mask_case.hpp"
@@ -25,14 +25,14 @@ Scene culling(const SceneBuilder& builder) {
     return scene;
 }
 
-/// How many pixels away from boundaries may be wrong: at contacts that a depth buffer of 16 bits
-/// doesn't resolve, or where hardware rounds depths in its own way.
+/// Limit on wrong pixels away from boundaries: at contacts that a 16-bit depth buffer doesn't
+/// resolve, or where hardware rounds depths in its own way.
 int allowance() {
     if (test::testLimits() != gl::Limits::device) return 2;
     return test::drawsOnProcessor() ? 0 : 1;
 }
 
-/// By volumes of every layout, and by a primitive map where the GL has one.
+/// Checks volumes of every layout, and a primitive map if the GL supports it.
 void expectCulledRight(const Case& test) {
     for (const auto layout : {SidesLayout::instanced, SidesLayout::notInstanced}) {
         RenderSettings settings;
@@ -52,7 +52,7 @@ Material doubleSided() {
     return material;
 }
 
-/// A room seen from its inside alone, with a stool, on a ground around it.
+/// A room that is visible only from inside, with a stool, on a ground around it.
 SceneBuilder room() {
     return SceneBuilder()
         .floor(6, -0.1f)
@@ -103,7 +103,7 @@ TEST(Culling, SheetsThatAreTurnedAway) {
         expectCulledRight({culling(builder), camera, light});
 }
 
-// What C39 is for: with nothing but the surfaces culled, volumes shade what is behind them.
+// The purpose of C39: if only the surfaces are culled, volumes shade what is behind them.
 TEST(Culling, SurfacesAloneAreNotEnough) {
     const Case test{culling(room()), outside, pointLight({0.9, 1.7, 0.8})};
     EXPECT_GT(test::run(test, {}, true, false).wrongBeyondOnePixel, 1000);
@@ -111,7 +111,7 @@ TEST(Culling, SurfacesAloneAreNotEnough) {
 }
 
 TEST(Culling, SheetsBackToBackHaveNoThickness) {
-    // Walls of two sheets each that coincide, on other triangles or on the same.
+    // Walls of two coinciding sheets each, of different or the same triangles.
     SceneBuilder builder = SceneBuilder().floor(5);
     const auto wall = [&](glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 d, bool otherwise) {
         builder.quad(a, b, c, d);
@@ -139,8 +139,8 @@ TEST(Culling, MirroredAndShearedNodes) {
 }
 
 TEST(Culling, SinglesAndDoublesInOneMesh) {
-    // An open box whose walls are of either kind by turns, joined at their edges; and a closed one
-    // turned inside out.
+    // An open box whose walls alternate between the two kinds, joined at their edges; and a closed
+    // one turned inside out.
     SceneBuilder builder = SceneBuilder().floor(6, -0.2f);
     const glm::vec3 low(-1.5f, 0, -1.5f), high(1.5f, 1.4f, 1.5f);
     const auto corner = [&](int i) {
@@ -208,7 +208,7 @@ TEST(Culling, OrthographicPictures) {
     }
 }
 
-/// Closed components that cross themselves and each other, of either sidedness.
+/// Closed components that cross themselves and each other, single- or double-sided.
 SceneBuilder randomShells(Random& random) {
     SceneBuilder builder = SceneBuilder().material(doubleSided()).floor(5, -1.5f);
     for (int shell = 0; shell < 4; ++shell) {
@@ -245,7 +245,7 @@ TEST(Culling, RandomShellsAreRight) {
         shadowed += outcome.shadow > 0 && outcome.lit > 0;
     }
     EXPECT_GT(shadowed, 20);
-    // Shells cross each other: where a culled one meets a visible one, a pixel may be either's.
+    // Shells cross each other: where a culled one meets a visible one, a pixel may show either.
     EXPECT_LE(wrong, test::testLimits() == gl::Limits::device ? 3 : 20) << "of 60 masks";
 }
 

@@ -1,4 +1,4 @@
-// Casters cut by a plane: no piece on both sides, nothing lost, and closed as before.
+// Casters cut by a plane: no piece on both sides, nothing lost, and still closed.
 
 #include "src/shadow/layers/cut_casters.hpp"
 

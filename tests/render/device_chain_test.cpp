@@ -1,4 +1,4 @@
-// The closed chain on the numbers that the GL implementation really computes (docs/method.md, C1).
+// The closed chain on the numbers that the GL really computes (docs/method.md, C1).
 
 #include "preprocess/gltf/gltf_reading.hpp"
 #include "preprocess/reading/flatten.hpp"
@@ -18,9 +18,9 @@ namespace edgeshade {
 namespace {
 
 constexpr std::size_t lightsPerScene = 100;
-constexpr std::size_t planePairLightsPerScene = 12; // a map of all edges is made for each
+constexpr std::size_t planePairLightsPerScene = 12; // each makes a map of all edges
 
-/// Every scene that is at hand: the one that ships and those of ../shared.
+/// Every available scene: the one that ships and those of ../shared.
 std::vector<std::filesystem::path> scenePaths() {
     std::vector<std::filesystem::path> paths = {std::filesystem::path(EDGESHADE_ASSETS) /
                                                 "pavilion.glb"};
@@ -71,7 +71,8 @@ Count countOpenInAll(MultiplicityMethod method, const char* name, std::size_t li
     return total;
 }
 
-/// Plane-pair records: every triangle counted, then the light-facing ones of closed clusters alone.
+/// Plane-pair records: first with every triangle counted, then with only the light-facing ones of
+/// closed clusters.
 Count countOpenPlanePairs(test::PlanePairProbe& probe, const std::filesystem::path& path,
                           std::size_t lights) {
     const Scene scene = flattenScene(readGltf(path), 0.0);

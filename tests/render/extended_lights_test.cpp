@@ -1,4 +1,4 @@
-// Sums of exact masks: each point's own mask, drawn alone, must be in them once.
+// Sums of exact masks: they must contain each point's own mask, drawn alone, exactly once.
 
 #include "src/gl/framebuffer_keeper.hpp"
 #include "src/render/accumulation/extended_lights.hpp"
@@ -22,7 +22,7 @@ using test::yard;
 constexpr int width = 160, height = 120;
 const Camera corner{{5, 4, 6}, {0, 0.5, 0}, 50.0};
 
-/// A scene on the GPU, and what draws it.
+/// A scene on the GPU, with its renderer.
 struct Course {
     explicit Course(const Scene& scene, RenderSettings settings = {})
         : context(test::testPicture(width, height)) {
@@ -48,7 +48,7 @@ struct Course {
         return context.readPixels();
     }
 
-    /// Lit points by pixel, each point drawn by itself as a hard light.
+    /// Lit points by pixel, with each point drawn alone as a hard light.
     std::vector<std::uint16_t> oneByOne(const Light& light, std::size_t points) {
         std::vector<std::uint16_t> sums(std::size_t{width} * height, 0);
         for (const Light& point : lightPoints(light, points)) {
@@ -93,7 +93,7 @@ Light wideSun() {
     return light;
 }
 
-/// Bit for bit but for `different` pixels; where depths have 16 bits, for one of a thousand.
+/// Expects equal bits except for `different` pixels, or with 16-bit depths for one in a thousand.
 void expectSame(const std::vector<std::uint16_t>& counts, const std::vector<std::uint16_t>& others,
                 std::size_t different = 0) {
     std::size_t found = 0;
@@ -142,7 +142,8 @@ TEST(ExtendedLights, CastersInGroupsAreCountedForEveryPoint) {
     const FrameView frame = course.view(lamp(0.3), 3);
     ASSERT_GT(frame.lights.front().layers.groupCount, 1u);
     const std::vector<std::uint16_t> apart = course.oneByOne(lamp(0.3), 3);
-    expectSame(course.counted(frame, 3).lit, apart, 3); // an edge of another group rounds otherwise
+    expectSame(course.counted(frame, 3).lit, apart, 3); // an edge in another group rounds
+                                                        // differently
     EXPECT_LT(*std::min_element(apart.begin(), apart.end()), 3u);
 }
 
@@ -172,7 +173,7 @@ TEST(ExtendedLights, SurfacesAreWhereTheyAreSeen) {
         EXPECT_EQ(counts.surface[i], mask[4 * i + 3] != 0 ? counts.pictures : 0u);
 }
 
-/// The picture's red channel with the light's extent, and with its centre alone.
+/// The picture's red channel with the light's extent, and with only its centre.
 struct Shaded {
     std::vector<std::uint8_t> soft, hard;
     LitCounts counts;
@@ -194,7 +195,7 @@ TEST(ExtendedLights, APictureIsLitByTheShareOfPointsThatIsSeen) {
         settings.shading = shading;
         Course course(SceneBuilder().floor(4).box({-1, 0.5f, -1}, {1, 1, 1}).scene(), settings);
         const Shaded picture = shaded(course, wideSun(), 48);
-        // The floor is as bright as its share says, from the darkest to the brightest.
+        // The floor's brightness matches its share, from the darkest to the brightest.
         int least = 255, most = 0;
         for (std::size_t i = 0; i < picture.counts.lit.size(); ++i) {
             if (picture.counts.surface[i] == 0) continue;
@@ -238,7 +239,7 @@ TEST(ExtendedLights, ShadingByPointsAddsUpToTheWholeLight) {
     std::size_t compared = 0;
     for (std::size_t i = 0; i < picture.counts.lit.size(); ++i) {
         if (picture.counts.surface[i] == 0) continue;
-        // The sun's disc is small: each point's own Lambert term is nearly the centre's.
+        // The sun's disc is small: each point's own Lambert term nearly equals the centre's.
         EXPECT_NEAR(byPoints[4 * i], picture.soft[4 * i], 6);
         ++compared;
     }
@@ -266,7 +267,7 @@ TEST(PictureSum, AddsBytesExactlyPastTheirRange) {
         glClearColor(static_cast<float>(color[0]) / 255.0f, static_cast<float>(color[1]) / 255.0f,
                      static_cast<float>(color[2]) / 255.0f, some ? 1.0f : 0.0f);
         glClear(GL_COLOR_BUFFER_BIT);
-        if (i == 200) { // the first pictures are forgotten
+        if (i == 200) { // the first pictures are dropped
             sum.begin(8, 8);
             expected = {};
         }

@@ -1,5 +1,5 @@
-// Primitive maps for all of a light that has an extent, without a GL: whether texels hold
-// everything that is between their points and any of the light's places (docs/method.md, C42).
+// Primitive maps for the whole of a light with an extent, without a GL: texels must hold all
+// triangles between their points and any of the light's places (docs/method.md, C42).
 #include "preprocess/volumes/plane_pair_data.hpp"
 #include "src/shadow/lights/light_extent.hpp"
 #include "src/shadow/primitive_map/footprint.hpp"
@@ -17,7 +17,7 @@ namespace edgeshade::test {
 namespace {
 
 using Corners = std::array<glm::dvec3, 3>;
-using Name = std::array<float, 9>; ///< of a record, by its corners
+using Name = std::array<float, 9>; ///< a record's name: its corners
 
 class Draw {
   public:
@@ -72,7 +72,7 @@ Name nameOf(std::array<glm::vec3, 3> corners) {
     return name;
 }
 
-/// What a map says of a point.
+/// A map's answer for a point.
 struct Answer {
     bool outside = false, dark = false;
     std::set<Name> listed;
@@ -104,7 +104,7 @@ Answer lookUp(const PrimitiveMap& map, const glm::dvec3& world) {
     return {true, false, {}};
 }
 
-/// By how much the way from the point to the place is within the triangle: above 0 it meets it.
+/// How far inside the triangle the line from the point to the place passes; above 0 it meets it.
 double meets(const Corners& triangle, const glm::dvec3& point, const glm::dvec4& place) {
     const glm::dvec3 way = glm::dvec3(place) - place.w * point;
     const glm::dvec3 ab = triangle[1] - triangle[0], ac = triangle[2] - triangle[0];
@@ -121,7 +121,7 @@ struct Tally {
     std::size_t dark = 0, blocked = 0, missing = 0, wronglyDark = 0, outside = 0;
 };
 
-/// Of points anywhere, and places of the light.
+/// Queries arbitrary points and places of the light.
 Tally askAround(const Scene& scene, const Light& light, int size, std::size_t points) {
     const auto shadows = buildPlanePairs(scene, false);
     std::vector<PlacedCasters> casters;
@@ -192,7 +192,7 @@ TEST(ExtendedMap, HoldsAllThatIsBetweenItsPointsAndTheLight) {
 }
 
 TEST(ExtendedMap, KnowsWhatNothingOfTheLightReaches) {
-    // A large wall alone: behind its middle all is dark, and nothing has to be asked.
+    // Only a large wall: behind its middle everything is dark without any test.
     const Scene scene = SceneBuilder().quad({-1, 0, 1}, {1, 0, 1}, {1, 0, -1}, {-1, 0, -1}).scene();
     for (const Light& light : {sphereAt({0, 3, 0}, 0.2), discTowards({0.1, 1, 0}, 2.0)}) {
         const Tally tally = askAround(scene, light, 64, 2000);
@@ -202,7 +202,8 @@ TEST(ExtendedMap, KnowsWhatNothingOfTheLightReaches) {
     }
 }
 
-/// What of so many sheets above each other is known before any part of their map is built.
+/// Length of the longest list, for this many sheets above each other, that is known before any part
+/// of their map is built.
 std::size_t longListBeforeBuilding(int sheets, std::size_t longestWanted) {
     SceneBuilder builder;
     for (int i = 0; i < sheets; ++i) {

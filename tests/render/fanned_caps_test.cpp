@@ -1,5 +1,5 @@
-// Caps that are fans of silhouette edges cover what caps of all casting triangles do, pixel for
-// pixel, and take fewer vertices.
+// Fans of silhouette edges as caps cover the same pixels as caps of all casting triangles, and take
+// fewer vertices.
 #include "src/gl/headless_context.hpp"
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/headless.hpp"
@@ -36,7 +36,7 @@ class BumpyBall {
             }
     }
 
-    /// `holes`: of 16 quads so many are left out.
+    /// `holes`: this many of 16 quads are left out.
     Scene scene(Random& random, int holes, const glm::dmat4& placing) const {
         SceneBuilder builder;
         for (int j = 0; j < rows; ++j)
@@ -63,8 +63,8 @@ class BumpyBall {
     std::vector<glm::vec3> points_;
 };
 
-/// To see shadows on: all around, or, where that would keep a directional light out, across its
-/// way.
+/// A screen that receives the shadows: all around, or across the way of a directional light, which
+/// the former would keep out.
 Batch screenFor(const Light& light, const glm::dvec3& middle) {
     if (light.position.w != 0.0)
         return SceneBuilder().box({20, 20, 20}, {-20, -20, -20}).scene().batches.front();
@@ -107,8 +107,8 @@ TEST_P(FannedCaps, CoverWhatTrianglesDo) {
         glm::dmat4 placing = glm::translate(glm::dmat4(1.0), 3.0 * random.inCube());
         if (i % 3 == 1) placing = glm::scale(placing, {-0.5, 2.0, 1.0}); // mirrored
         LoadedScene loaded{{}, ball.scene(random, i % 2 ? 1 : 0, placing), {}, {}, {}, {}};
-        // The eye right behind a point of the ball, as the light sees it: outlines of shadows run
-        // through many a near rectangle there.
+        // The eye just behind a point of the ball, as seen from the light: outlines of shadows
+        // cross many near rectangles there.
         const auto inWorld = [&](const glm::dvec3& p) {
             return glm::dvec3(placing * glm::dvec4(p, 1.0));
         };

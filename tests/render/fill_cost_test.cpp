@@ -1,4 +1,4 @@
-// What filling is estimated to take, without a GL.
+// The estimated cost of filling, without a GL.
 #include "src/shadow/plan/volume_fill.hpp"
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/placed_shadows.hpp"
@@ -23,7 +23,7 @@ FillCost costOf(const Corners& corners, const PixelRectangle& open = whole) {
     return FillMeter(glm::dmat4(1.0), side, side, open).of(clip);
 }
 
-/// Whether the triangle meets a square: some line keeps them apart, or none does.
+/// Whether the triangle meets a square: no line separates them.
 bool meets(const Corners& triangle, const glm::dvec2& low, double size) {
     const std::array<glm::dvec2, 4> square = {
         {low, low + glm::dvec2(size, 0), low + glm::dvec2(0, size), low + glm::dvec2(size)}};
@@ -90,7 +90,7 @@ TEST(FillCost, WhatIsBeforeTheNearPlaneTakesNothing) {
     EXPECT_GT(meter.of(before, false).fragments, 0.0);
 }
 
-/// A plan of one sun or lamp over a scene.
+/// A plan of one light over a scene.
 struct Planned {
     FrameView view;
     PotentialSilhouettes silhouettes{23};
@@ -111,7 +111,7 @@ struct Planned {
 
 const Camera fromAbove{{9, 6, 8}, {0, 0.5, 0}, 50.0};
 
-/// Boxes here and there over a floor.
+/// Scattered boxes over a floor.
 Scene boxes(int count) {
     Random random(9);
     test::SceneBuilder builder;

@@ -1,4 +1,4 @@
-// What the one list of draws holds for scenes that are plain enough to tell.
+// The contents of the list of draws for scenes that are simple enough to predict.
 #include "src/shadow/plan/frame_plan.hpp"
 
 #include "tests/support/placed_shadows.hpp"
@@ -17,7 +17,7 @@ using test::SceneBuilder;
 
 const glm::vec4 atInfinity(0, 0, 0, 1);
 
-/// A scene, and what is planned for it.
+/// A scene and its plan.
 struct Planned {
     FrameView view;
     PotentialSilhouettes silhouettes{23};
@@ -30,7 +30,7 @@ struct Planned {
 
 enum class Choice { all, potential };
 
-/// Plans one slice. `change`: of the view; `groups`: how often the casters are counted.
+/// Plans one slice. `change` changes the view; `groups`: how often the casters are counted.
 std::unique_ptr<Planned> planned(const Scene& scene, const Camera& camera,
                                  const std::vector<Light>& lights,
                                  Choice choice = Choice::potential, bool castMasked = false,
@@ -112,14 +112,14 @@ TEST(FramePlan, AClosedBoxIsSidesAloneThatEndBeyondWhatIsVisible) {
 }
 
 TEST(FramePlan, OfABoxTheFourEdgesThatTheLightGrazesAreListed) {
-    // From straight above the top face alone faces the light; its four edges are the outline.
+    // From straight above only the top face faces the light; its four edges are the outline.
     const auto plan = planned(SceneBuilder().box({-1, 1, -1}, {1, 2, 1}).scene(), fromTheSide,
                               {{{0.1, 7, 0.2, 1}}});
     ASSERT_EQ(plan->draws().once.size(), 1u);
     EXPECT_EQ(plan->draws().once[0].records, Records::certainPairs);
     EXPECT_EQ(plan->draws().once[0].range.count, 4u);
     EXPECT_EQ(plan->count().vertexRuns(), 16u);
-    // All records are the twelve edges of the box: diagonals are flat.
+    // The records are only the twelve edges of the box: diagonals are flat.
     const auto all = planned(SceneBuilder().box({-1, 1, -1}, {1, 2, 1}).scene(), fromTheSide,
                              {{{0.1, 7, 0.2, 1}}}, Choice::all);
     ASSERT_EQ(all->draws().once.size(), 1u);
@@ -145,7 +145,7 @@ TEST(FramePlan, TheRidgeOfAnOpenRoofCountsTwiceAndItsBorderOnce) {
     EXPECT_EQ(plan->draws().once[0].records, Records::singles);
     EXPECT_EQ(plan->draws().once[0].range.count, 6u);
     EXPECT_EQ(plan->draws().once[0].times, Times::once);
-    // Without a list nothing says which of the pairs count how often.
+    // Without a list it is unknown which pairs count how often.
     const auto all = planned(roof, fromTheSide, {aside}, Choice::all);
     ASSERT_EQ(all->draws().twice.size(), 1u);
     EXPECT_EQ(all->draws().twice[0].records, Records::allPairs);
@@ -155,7 +155,7 @@ TEST(FramePlan, TheRidgeOfAnOpenRoofCountsTwiceAndItsBorderOnce) {
 }
 
 TEST(FramePlan, ASunsSidesAreTrianglesWhereTheyEndAtInfinity) {
-    // Nothing of what is visible is known, so there is no end but the view's.
+    // No visible geometry is known, so that the only end is the view's.
     const auto plan = planned(boxOverFloor(), fromTheSide, {{{0.3, 1, 0.2, 0}}}, Choice::potential,
                               false, [](FrameView& view) {
                                   view.visible = Box();
@@ -218,7 +218,7 @@ TEST(FramePlan, CastersWithHolesTakeAlphaTestedCapsOfTheirMaterial) {
         EXPECT_EQ(scene.materials[*draw.alphaTested].alphaMode, AlphaMode::mask);
         EXPECT_TRUE(draw.zFail);
         EXPECT_NE(draw.faces, CapFaces::back);
-        // Front caps once more, where casters have holes.
+        // Front caps a second time, where casters have holes.
         EXPECT_EQ(draw.verticesPerRecord, draw.faces == CapFaces::both ? 9 : 6);
     }
     EXPECT_EQ(tested, 1u);
@@ -284,7 +284,7 @@ TEST(StencilStart, IsHalvedWhereCountsAreDoubled) {
     EXPECT_TRUE(startOf(5, true).isOddWhenDoubled());
     EXPECT_EQ(startOf(4, true).cleared(), 2);
     EXPECT_FALSE(startOf(4, true).isOddWhenDoubled());
-    // Counts are modulo 256, below 0 too.
+    // Counts are modulo 256, also below 0.
     EXPECT_EQ(startOf(-1, false).cleared(), 255);
     EXPECT_EQ(startOf(-1, true).cleared(), 127);
     EXPECT_TRUE(startOf(-1, true).isOddWhenDoubled());

@@ -1,4 +1,4 @@
-// Frusta from other engines' matrices: what they show, and what is refused.
+// Frusta from other engines' matrices: what they show, and which are refused.
 
 #include "src/shadow/view/frustum.hpp"
 

@@ -1,4 +1,4 @@
-// The ground that is laid beneath a scene: where it is, what falls on it, and what it shows.
+// The ground beneath a scene: its position, the shadows on it, and its appearance.
 
 #include "preprocess/scene/ground.hpp"
 #include "src/scene/ground_text.hpp"
@@ -17,7 +17,7 @@ using test::pointLight;
 using test::SceneBuilder;
 using test::sun;
 
-/// Two boxes over nothing, one of them high up.
+/// Two boxes without a floor, one of them high up.
 SceneBuilder boxes() {
     SceneBuilder builder;
     builder.box({-1, 0, -1}, {1, 1, 1}).box({0.5f, 1.5f, -0.5f}, {1.5f, 2, 0.5f});
@@ -91,7 +91,7 @@ TEST(Ground, ReceivesShadowsInSlicesAndWithoutPerspective) {
 }
 
 TEST(Ground, CastsNothingWhereMaskedSurfacesDo) {
-    // From below, the light would have to pass it.
+    // The light comes from below, through the ground.
     test::Case below{
         grounded(boxes().floor(3.0f, 3.0f)), {{2, 2, 9}, {0, 2, 0}, 50.0}, sun({0.2, -1, 0.3})};
     below.castMasked = true;
@@ -108,7 +108,7 @@ Pixel at(const std::vector<std::uint8_t>& pixels, int x, int y) {
     return {pixels[i], pixels[i + 1], pixels[i + 2]};
 }
 
-/// From above, a box in the middle, its shadow to the right.
+/// A view from above of a box in the middle, with its shadow to the right.
 std::vector<std::uint8_t> fromAbove(const Ground& ground, const std::vector<Light>& lights,
                                     Shading shading, double height = 12.0,
                                     ShadowMethod shadows = ShadowMethod::volumes) {
@@ -169,7 +169,7 @@ TEST(Ground, ACatcherIsTheSameByEveryMethod) {
 }
 
 TEST(Ground, ACatchersShadowFadesInTheDistance) {
-    // The box is 2 high: its shadow ends at 2 / tan(12 degrees), where less of it is seen.
+    // The box is 2 high: its shadow ends at 2 / tan(12 degrees), where it is fainter.
     const Light low = sun({-1, 0.16, 0});
     const auto pixels = fromAbove({}, {low}, Shading::base, 40.0);
     const int near = at(pixels, 26, 24)[0], far = at(pixels, 33, 24)[0];

@@ -1,5 +1,5 @@
-// Meshes that stand at many places with one geometry: masks are those of rays by every method, and
-// nothing is there more than once.
+// Meshes in many places with one geometry: masks match rays for every method, and nothing is stored
+// twice.
 #include "src/gl/headless_context.hpp"
 #include "src/scene/gpu_scene.hpp"
 #include "tests/support/mask_case.hpp"
@@ -27,7 +27,7 @@ Batch tree() {
         .batches.front();
 }
 
-/// A floor and the mesh at these places.
+/// A floor with the mesh in these places.
 Scene planted(const Batch& mesh, const std::vector<glm::dmat4>& places) {
     Scene scene = SceneBuilder().floor(6).scene();
     for (const glm::dmat4& place : places) {
@@ -37,14 +37,14 @@ Scene planted(const Batch& mesh, const std::vector<glm::dmat4>& places) {
     return scene;
 }
 
-/// The same with a geometry for every batch.
+/// The same with a separate geometry for every batch.
 Scene repeated(Scene scene) {
     for (Batch& batch : scene.batches)
         batch.geometry = CopyOnWrite(Geometry(*batch.geometry));
     return scene;
 }
 
-/// Turned, mirrored, drawn out, one within another's reach.
+/// Rotated, mirrored, stretched, one within another's reach.
 std::vector<glm::dmat4> grove() {
     return {at({0, 0, 0}),
             at({1.5, 0, 0.4}, 1.0, {1, 1.6, 1}),
@@ -57,7 +57,7 @@ std::vector<glm::dmat4> grove() {
 
 const Camera aside{{5, 4, 6}, {0, 0.4, 0}, 40.0};
 
-/// Boards above one another, a place for every ten of them.
+/// Boards above one another, one place for every ten of them.
 Scene stack(int places) {
     SceneBuilder boards;
     for (int i = 0; i < 10; ++i) {

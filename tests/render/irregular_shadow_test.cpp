@@ -1,5 +1,5 @@
-// Shadows whose visible points are asked one by one (docs/method.md, C46), drawn: the same as those
-// of volumes, and where they are drawn in place of them.
+// Drawn shadows whose visible points are tested one by one (docs/method.md, C46): they match those
+// of volumes; and the cases in which they replace volumes.
 #include "preprocess/base/error.hpp"
 #include "src/render/frame/light_methods.hpp"
 #include "src/render/frame/prepare_scene.hpp"
@@ -41,7 +41,7 @@ class IrregularShadows : public testing::Test {
     }
 };
 
-/// Pixels that differ by more than a rounding.
+/// Number of pixels that differ by more than rounding.
 std::size_t differing(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < a.size(); i += 4) {
@@ -59,7 +59,7 @@ void expectAlike(const Scene& scene, const test::TestView& view, Shading shading
     none.shadows = ShadowMethod::none;
     const auto lit = test::drawScene(scene, view, none);
     EXPECT_GT(differing(volumes, lit), 50u) << "there should be shadows";
-    // Points at boundaries may be seen on either side.
+    // At boundaries points may be on either side.
     EXPECT_LE(differing(test::drawScene(scene, view, byPoints(shading)), volumes), 8u);
 }
 
@@ -95,7 +95,7 @@ TEST_F(IrregularShadows, AreThoseOfVolumesWhereBatchesAreMoved) {
                 corner({pointLight({0.3, 4, 0.7})}), Shading::base);
 }
 
-/// A scene in a context of its own, drawn as often as wanted.
+/// A scene in its own context, drawn as often as needed.
 class Drawing {
   public:
     Drawing(const Scene& scene, const RenderSettings& settings, int samples = 0)
@@ -119,7 +119,7 @@ class Drawing {
         gl::requireNoError("drawing");
         return context_.readPixels();
     }
-    /// Of the light of the last frame.
+    /// The method of the last frame's light.
     const LightMethod& method() const { return methods_.front(); }
     GpuScene& scene() { return scene_; }
     const gl::HeadlessContext& context() const { return context_; }
@@ -143,7 +143,7 @@ class Drawing {
     std::vector<LightMethod> methods_;
 };
 
-/// So many boxes of twelve triangles above a floor.
+/// This many boxes of twelve triangles above a floor.
 Scene boxes(int count) {
     SceneBuilder builder;
     builder.floor(6);

@@ -1,5 +1,5 @@
-// Points asked one by one whether a light reaches them (docs/method.md, C46), without a GL:
-// pictures are made up of what rays meet.
+// Tests of single points for whether a light reaches them (docs/method.md, C46), without a GL: rays
+// make the pictures.
 #include "src/shadow/irregular/irregular_z_buffer.hpp"
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/scene_builder.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 using test::Random;
 
-constexpr int width = 93, height = 61; // no whole blocks
+constexpr int width = 93, height = 61; // not a multiple of a block
 constexpr double aspect = static_cast<double>(width) / height;
 constexpr PixelRectangle whole{0, 0, width, height};
 constexpr std::uint32_t firstNumber = 7;
@@ -31,7 +31,7 @@ std::vector<Triangle> trianglesOf(const Scene& scene) {
     return triangles;
 }
 
-/// Where a ray meets a triangle's plane, and how far within the triangle: below 0 outside.
+/// Where a ray meets a triangle's plane, and how far inside the triangle; below 0 outside.
 struct Hit {
     double t = 0.0, within = -1.0;
 };
@@ -47,9 +47,9 @@ Hit hit(const glm::dvec3& from, const glm::dvec3& way, const Triangle& triangle)
     return {glm::dot(ac, other) / det, std::min({u, v, 1.0 - u - v})};
 }
 
-/// What a pixel shows.
+/// The surface that a pixel shows.
 struct Seen {
-    int triangle = -1; ///< -1: nothing, or an edge passes it too near to tell
+    int triangle = -1; ///< -1: nothing, or too near an edge to decide
     glm::dvec3 at{0.0};
 };
 
@@ -83,8 +83,8 @@ struct Picture {
         return buffer.shadowed();
     }
 
-    /// 1: something is between what is seen and the light; 0: nothing is; -1: it is too near to
-    /// tell.
+    /// 1: something is between the visible point and the light; 0: nothing is; -1: too close to
+    /// decide.
     int answer(const Seen& of) const {
         const glm::dvec4& light = view.lights.front().light.position;
         const bool sun = light.w == 0.0;
@@ -107,7 +107,8 @@ struct Picture {
         return eye.w == 0.0 ? -glm::dvec3(eye) : at - glm::dvec3(eye);
     }
 
-    /// 1 where eye and light are on different sides of what is seen, -1 where one is in its plane.
+    /// 1 if eye and light are on different sides of the visible triangle, -1 if one is in its
+    /// plane.
     int turnsAway(const Seen& of, const glm::dvec3& way) const {
         const Triangle& own = triangles[static_cast<std::size_t>(of.triangle)];
         const glm::dvec3 normal = glm::normalize(glm::cross(own.b - own.a, own.c - own.a));
@@ -141,7 +142,7 @@ struct Picture {
     }
 };
 
-/// Triangles and boxes here and there, and a large one beneath.
+/// Scattered triangles and boxes, and a large triangle beneath.
 Scene clutter(Random& random) {
     test::SceneBuilder builder;
     builder.floor(9, -3);
@@ -243,7 +244,7 @@ TEST(PointTree, FindsThePointsOfEveryHalfSpaceThatAreInTheBox) {
                     if (inBox && std::all_of(planes.begin(), planes.end(), holds))
                         expected.insert(point.pixel);
                 }
-            // Found once, though it is asked for twice.
+            // Found once, though it is queried twice.
             for (const CasterPlanes* by : {static_cast<const CasterPlanes*>(nullptr),
                                            static_cast<const CasterPlanes*>(&planes)}) {
                 PointTree::Groups groups;

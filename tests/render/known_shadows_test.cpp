@@ -1,4 +1,4 @@
-// Shadows whose outline is worked out by hand.
+// Shadows whose outline is known from geometry.
 
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
@@ -14,7 +14,8 @@ using test::sun;
 
 constexpr int size = 256;
 
-/// A camera straight above that sees the floor from -half to half: pixel to floor is linear.
+/// A camera straight above that sees the floor from -half to half, so that the map from pixels to
+/// the floor is linear.
 Camera above(double height, double half) {
     return {{0, height, 0}, {0, 0, 0}, glm::degrees(2.0 * std::atan(half / height))};
 }
@@ -24,7 +25,7 @@ std::vector<std::uint8_t> maskOf(const SceneBuilder& builder, const Camera& came
     return test::drawScene(builder.scene(), {camera, {light}, size, size, true}, {});
 }
 
-/// The first pixels where two masks differ, "" where none do.
+/// The first pixels where two masks differ, "" if none do.
 std::string differences(const std::vector<std::uint8_t>& mask,
                         const std::vector<std::uint8_t>& expected) {
     std::string places;
@@ -47,7 +48,7 @@ struct Rectangle {
     }
 };
 
-/// Every floor pixel must be black in `shadow` and white outside; pixels of `hidden` show the
+/// Every floor pixel must be black in `shadow` and white outside. Pixels of `hidden` show the
 /// caster, and boundaries may go either way within half a pixel.
 void expectFloorShadow(const std::vector<std::uint8_t>& mask, double half, const Rectangle& shadow,
                        const Rectangle& hidden) {
@@ -66,7 +67,7 @@ void expectFloorShadow(const std::vector<std::uint8_t>& mask, double half, const
 }
 
 // Point light at (0, 8, 0); box from height 2 to 4 over x, z in [-1, 1]. Its top (height 4) is
-// thrown from 8 to the floor with factor 8 / (8 - 4) = 2: the shadow is [-2, 2] squared. The eye
+// projected from 8 to the floor with factor 8 / (8 - 4) = 2: the shadow is [-2, 2] squared. The eye
 // at height 20 sees the box's top as 20 / (20 - 4) = 1.25 wide on the floor: hidden.
 TEST(KnownShadows, BoxOverFloorUnderPointLight) {
     const auto scene = SceneBuilder().floor(6).box({-1, 2, -1}, {1, 4, 1});
@@ -129,7 +130,7 @@ TEST(KnownShadows, LightAndEyeInsideAClosedBoxSeeItAllLit) {
         ASSERT_EQ(mask[i], 255);
 }
 
-// An open sheet is lit on the side of the light and dark on the other, whichever way it is wound.
+// An open sheet is lit on the light's side and dark on the other, for either winding.
 TEST(KnownShadows, OpenSheetIsLitOnOneSideAlone) {
     const glm::vec3 a(-1, 0, 1), b(1, 0, 1), c(1, 0, -1), d(-1, 0, -1);
     for (const auto& sheet : {SceneBuilder().quad(a, b, c, d), SceneBuilder().quad(d, c, b, a)}) {
@@ -148,9 +149,9 @@ TEST(KnownShadows, NothingAtAllIsTransparent) {
     EXPECT_EQ(mask, std::vector<std::uint8_t>(mask.size(), 0));
 }
 
-// More sheets in a row than a stencil counts, so that casters come in groups, and the eye in a
-// closed box, where all that is seen is in shadow: a mask still shows it, and so does a picture,
-// with the pane before it.
+// More sheets in a row than a stencil can count, so that casters are split into groups, and the eye
+// in a closed box, where everything visible is in shadow. A mask still shows the box, and so does a
+// picture, with the pane in front.
 TEST(KnownShadows, TheInsideOfABoxStaysInSightWhereCastersComeInGroups) {
     SceneBuilder builder;
     builder.box({-5, -5, -5}, {5, 5, 5});

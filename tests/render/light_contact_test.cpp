@@ -22,7 +22,7 @@ glm::dvec3 within(const Corners& of, double u, double v) {
     return of[0] + u * (of[1] - of[0]) + v * (of[2] - of[0]);
 }
 
-/// A triangle whose angles are not too small.
+/// A triangle without small angles.
 Corners someTriangle(Random& random, double size, double away) {
     const glm::dvec3 middle = away * random.inCube();
     for (;;) {
@@ -66,7 +66,7 @@ TEST(LightContact, ReachesNoFartherThanRounding) {
     }
 }
 
-/// Floats as a device may have them: any order, fused or not.
+/// Float arithmetic as a device may do it: in any order, fused or not.
 double onDevice(const glm::vec4& plane, const glm::vec4& light, int order) {
     const std::array<float, 4> terms = {plane.x * light.x, plane.y * light.y, plane.z * light.z,
                                         plane.w * light.w};
@@ -81,7 +81,7 @@ double onDevice(const glm::vec4& plane, const glm::vec4& light, int order) {
     }
 }
 
-/// Whatever a device says of a light on or next to a triangle, it says 0 or what is right.
+/// For a light on or next to a triangle every device finds either 0 or the right sign.
 TEST(LightContact, LeavesNoSignToRounding) {
     Random random(3);
     int touching = 0, near = 0;
@@ -115,7 +115,7 @@ TEST(LightContact, GrazesFromWithinTwoSecondsOfArc) {
     for (const double angle : {1.1e-5, -1.1e-5, 0.1})
         EXPECT_FALSE(contactOf(wall, {0.3, 1.0, 1.05 * angle, 0.0}).grazes) << angle;
     EXPECT_FALSE(contactOf(wall, {0.3, 1.0, 0.0, 0.0}).touches);
-    // A lamp beside it in its plane, and one before it however near.
+    // A lamp beside the wall in its plane, and one in front of it at a tiny distance.
     EXPECT_TRUE(contactOf(wall, {10, 1, 1e-6, 1}).grazes);
     EXPECT_FALSE(contactOf(wall, {10, 1, 1e-6, 1}).touches);
     EXPECT_FALSE(contactOf(wall, {1, 1, 1e-5, 1}).grazes);

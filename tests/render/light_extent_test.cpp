@@ -1,4 +1,4 @@
-// Points that stand for a light's extent, and what holds them all.
+// Points that represent a light's extent, and bounds that hold them all.
 
 #include "src/render/accumulation/subpixels.hpp"
 #include "src/shadow/lights/light_extent.hpp"
@@ -88,7 +88,7 @@ TEST(LightExtent, APointOfASunIsADirectionOfLengthOneWithinItsDisc) {
     }
 }
 
-/// How far the share of points within a disc's middle is from that of its area, at the most.
+/// Largest difference between the share of points in a disc's middle and the share of its area.
 double unevenness(const std::vector<glm::dvec2>& points) {
     double worst = 0.0;
     for (int step = 1; step < 20; ++step) {
@@ -102,7 +102,7 @@ double unevenness(const std::vector<glm::dvec2>& points) {
     return worst;
 }
 
-// Points on the sphere's surface would be too many at the rim, points in it too many in the middle.
+// Points on the sphere's surface would crowd at the rim, points in its volume in the middle.
 TEST(LightExtent, ASpheresPointsFillItsDiscEvenlyFromEverySide) {
     const std::vector<Light> points = lightPoints(sphere({0, 0, 0}, 1.0), 2000);
     for (const glm::dvec3 along :
@@ -167,7 +167,7 @@ TEST(LightExtent, OneListOfSilhouettesServesAllPoints) {
 }
 
 TEST(LightExtent, InSomePlaneIsAskedOfEveryPoint) {
-    // The first point is in the plane of the box's top, the second one isn't in any.
+    // The first point is in the plane of the box's top, the second one in no plane.
     const Scene scene = test::SceneBuilder().box({-1, 0, -1}, {1, 1, 1}).scene();
     const auto shadow = buildPlanePairs(scene, false).front();
     PotentialSilhouettes silhouettes(23);

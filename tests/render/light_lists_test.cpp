@@ -1,5 +1,5 @@
-// Which lights a frame has anything to do for: those that reach something, those that keep a
-// shadow, and what tiles list.
+// The lights that a frame must handle: those that reach something, those that keep a shadow, and
+// those in the tiles' lists.
 #include "src/shadow/plan/light_lists.hpp"
 
 #include "src/shadow/lights/light_range.hpp"
@@ -28,7 +28,7 @@ Light lamp(const glm::dvec3& position, double range, float candela = 1.0f) {
     return light;
 }
 
-/// A floor of 10 x 10 from above its edge.
+/// A floor of 10 x 10, seen from above its edge.
 FrameView viewOf(const std::vector<Light>& lights) {
     const Scene scene = test::yard().scene();
     const Camera camera{{0, 4, 9}, {0, 0, 0}, 45.0};
@@ -78,7 +78,7 @@ TEST(LightLists, HoldJustTheLightsThatReachATile) {
 TEST(LightReach, IsEmptyWhereNothingVisibleIsInTheBall) {
     const FrameView view = viewOf({lamp({0, 0, 0}, 1)});
     EXPECT_FALSE(lightReach(view, view.slices[0], lamp({0, 1, 0}, 2)).empty());
-    // In the middle of the picture and of its depths, but above all that there is.
+    // In the middle of the picture and of its depths, but above all geometry.
     EXPECT_TRUE(
         lightReach(view, view.slices[0], lamp({0, view.visible.high.y + 1.0, 4}, 0.9)).empty());
     EXPECT_TRUE(lightReach(view, view.slices[0], lamp({0, -3, 0}, 2.5)).empty());
@@ -98,7 +98,7 @@ TEST(LightBudget, LightsThatReachNothingAreNotDrawn) {
 }
 
 TEST(LightBudget, KeepsTheLightsThatMatterMost) {
-    // Weak, strong, as strong but farther away, out of sight, equal to the first.
+    // Weak, strong, equally strong but farther away, out of view, equal to the first.
     FrameView view =
         viewOf({lamp({1, 1, 0}, 3, 1.0f), lamp({1, 1, 0}, 3, 9.0f), lamp({1, 8, 0}, 9, 9.0f),
                 lamp({1, -50, 0}, 3, 1e6f), lamp({1, 1, 0}, 3, 1.0f)});

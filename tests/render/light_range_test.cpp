@@ -1,5 +1,5 @@
-// Lights that reach no farther than their range (--light-range): what they light, and what is left
-// out because they can't reach it.
+// Lights with a range (--light-range): what they light, and which casters are left out as out of
+// reach.
 
 #include "src/gl/headless_context.hpp"
 #include "src/rivals/rivals.hpp"
@@ -57,7 +57,7 @@ TEST(LightReach, HoldsEveryVisiblePointOfTheBall) {
         const glm::dmat4 clipFromWorld =
             clipFromView(view.frustum, near) * view.frustum.viewFromWorld;
         for (int p = 0; p < 60; ++p) {
-            // On the ball or within it.
+            // On the ball or inside.
             const glm::dvec3 direction = glm::normalize(random.inCube());
             const double share = p % 3 == 0 ? random.uniform(0, 1) : 1.0;
             const glm::dvec3 point = center + light.range * share * direction;
@@ -78,7 +78,7 @@ TEST(LightReach, HoldsEveryVisiblePointOfTheBall) {
 
 TEST(LightReach, IsTightAroundASmallBall) {
     const FrameView view = viewFrom({{0, 0, 0}, {0, 0, -1}, 90.0}, 0.1, 100.0);
-    // At depth 10 the picture is 20 high: the ball's outline is little more than 18 pixels.
+    // At depth 10 the picture is 20 high: the ball's outline is just over 18 pixels.
     const PixelRectangle reach = lightReach(view, view.slices[0], lamp({0, 5, -10}, 1.0));
     EXPECT_NEAR(reach.width, 18, 4);
     EXPECT_NEAR(reach.height, 20, 5);
@@ -92,15 +92,15 @@ TEST(LightReach, IsEmptyWhereTheBallMissesTheView) {
         return !lightReach(view, view.slices[0], light).empty();
     };
     EXPECT_FALSE(reaches(lamp({0, 0, 3}, 2.0)));     // behind the eye
-    EXPECT_TRUE(reaches(lamp({0, 0, 3}, 4.0)));      // the eye is within
+    EXPECT_TRUE(reaches(lamp({0, 0, 3}, 4.0)));      // the eye is inside
     EXPECT_FALSE(reaches(lamp({20, 0, -10}, 5.0)));  // to the right
     EXPECT_FALSE(reaches(lamp({0, -20, -10}, 5.0))); // below
-    EXPECT_FALSE(reaches(lamp({0, 0, -110}, 9.0)));  // behind all that is visible
+    EXPECT_FALSE(reaches(lamp({0, 0, -110}, 9.0)));  // beyond all visible geometry
     EXPECT_TRUE(reaches(lamp({0, 0, -110}, 12.0)));
     EXPECT_TRUE(reaches({{20, 0, -10, 1}}));     // without a range
-    EXPECT_TRUE(reaches({{0, 0, 1, 0}, 0.001})); // a directional light has none
+    EXPECT_TRUE(reaches({{0, 0, 1, 0}, 0.001})); // a directional light has no range
     view.slices[0] = {0.1, 5.0};
-    EXPECT_FALSE(reaches(lamp({0, 0, -10}, 4.0))); // of a farther slice
+    EXPECT_FALSE(reaches(lamp({0, 0, -10}, 4.0))); // in a farther slice
 }
 
 TEST(LightReach, ARangeInAnObjectIsNoLess) {
@@ -131,7 +131,7 @@ TEST(LightReach, ScaledHoldsTheSamePixels) {
     EXPECT_EQ(whole.height, 45);
 }
 
-/// Expects the lit mask to be that of casting rays.
+/// Expects the same lit mask as from ray casting.
 void expectRight(const Camera& camera, const Light& light, RenderSettings settings,
                  double tolerated = 0.0, std::optional<int> slices = {}) {
     const Scene scene = test::yard().scene();
@@ -229,7 +229,7 @@ TEST(LightRange, TheWindowWeighsLambertsLaw) {
     EXPECT_EQ(middle({{0, 1, 0, 0}, 2.9}), 255) << "a directional light has no range";
 }
 
-/// Draws many boxes in rows and says how many vertices their volumes took.
+/// Draws many boxes in rows and returns the number of vertices of their volumes.
 std::size_t runsWith(const Light& light, int maskScale = 1,
                      MultiplicityMethod method = MultiplicityMethod::plane) {
     SceneBuilder builder;
@@ -276,7 +276,8 @@ TEST(LightRange, WhatIsOutOfItCostsNothing) {
 }
 
 TEST(LightRange, GoesWithGroupsOfCasters) {
-    // More sheets than a stencil counts: the mask is that without a range, within it.
+    // More sheets than a stencil can count: within the range the mask is the same as without a
+    // range.
     SceneBuilder builder;
     builder.floor(9);
     for (int i = 0; i < 300; ++i) {

@@ -1,5 +1,5 @@
-// The light that is drawn together with ambient light: what shadow leaves of both is the ambient
-// share, to a unit of the picture's bytes, and nothing stays in the picture's alpha.
+// The light that is drawn together with ambient light: shadow leaves exactly the ambient share of
+// both, to a unit of the picture's bytes, and nothing remains in the picture's alpha.
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
@@ -25,8 +25,8 @@ Picture draw(const TestView& view, ShadowMethod shadows, float ambient,
     return test::drawScene(scene, view, settings);
 }
 
-/// Expects the picture to be what ambient light and each light make by themselves, the light where
-/// its mask says that it comes.
+/// Expects the sum of ambient light and each light drawn separately, with the light only where its
+/// mask is lit.
 void expectSum(const std::vector<Light>& lights, float ambient, std::optional<int> slices = {},
                const Scene& scene = test::yard().scene()) {
     TestView view{outside, lights, width, height};
@@ -80,8 +80,8 @@ TEST(LightWithAmbient, GoesWithRangesSlicesAndMoreLights) {
     expectSum({lamp, sun({0.5, 1.0, 0.4}), pointLight({-3, 3, 2})}, 0.2f, 2);
 }
 
-// More sheets under the first light than a stencil counts: its casters come in groups, and the
-// second light is the one that is drawn with ambient light.
+// More sheets under the first light than a stencil can count: its casters are split into groups,
+// and the second light is drawn with ambient light.
 TEST(LightWithAmbient, ComesBeforeLightsWhoseCastersComeInGroups) {
     test::SceneBuilder builder = test::yard();
     for (int i = 0; i < 300; ++i) {
@@ -92,7 +92,7 @@ TEST(LightWithAmbient, ComesBeforeLightsWhoseCastersComeInGroups) {
     expectSum({sun({1.0, 0.3, 0.2}), sun({0.02, 1.0, 0.03})}, 0.3f, 2, builder.scene());
 }
 
-// All that is visible is in the box's shadow: nothing is counted, and all is darkened.
+// Everything visible is in the box's shadow: nothing is counted, and everything is darkened.
 TEST(LightWithAmbient, LeavesAmbientLightWhereAllIsInShadow) {
     const Scene scene = test::SceneBuilder().box({-9, -9, -9}, {9, 9, 9}).scene();
     TestView view{{{0, 0, 0}, {1, 0.2, 0.1}, 60.0}, {pointLight({0, 40, 0})}, 64, 64};
@@ -105,7 +105,7 @@ TEST(LightWithAmbient, LeavesAmbientLightWhereAllIsInShadow) {
         ASSERT_NEAR(drawn[i], ambientAlone[i], 1);
 }
 
-// Two floors in one place are as bright as one, whichever light comes first.
+// Two coinciding floors are as bright as one, whichever light comes first.
 TEST(LightWithAmbient, SurfacesThatCoincideAreLitOnceByEveryLight) {
     const Scene one = test::SceneBuilder().floor(4).box({-1, 1, -1}, {1, 2, 1}).scene();
     const Scene two = test::SceneBuilder().floor(4).floor(4).box({-1, 1, -1}, {1, 2, 1}).scene();

@@ -1,5 +1,5 @@
-// Proposed silhouettes draw what all records draw, pixel for pixel, from frame to frame: with
-// lights that move, rest and jump, so that lists serve for several frames and are made anew.
+// Proposed silhouettes draw the same pixels as all records, from frame to frame: with lights that
+// move, rest and jump, so that lists serve several frames and are rebuilt.
 #include "src/gl/headless_context.hpp"
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/headless.hpp"
@@ -16,7 +16,7 @@ using test::sun;
 
 constexpr int width = 160, height = 120;
 
-/// The yard, and a box that a mirrored, stretched node carries.
+/// The yard, and a box in a mirrored, stretched node.
 Scene twoBatches() {
     Scene scene = test::yard().scene();
     glm::dmat4 placed(1.0);
@@ -105,7 +105,7 @@ TEST_P(ProposedMasks, AreThoseOfAllRecordsWhereverALightJumps) {
     Random random(3);
     for (int i = 0; i < 60; ++i) {
         const glm::dvec3 at = 5.0 * random.inCube() + glm::dvec3(0, 3, 0);
-        // On coordinates of faces as often as not, where signs are hardest to tell.
+        // Half of the time on coordinates of faces, where signs are hardest to determine.
         const glm::dvec3 light = random.below(2) ? at : glm::round(at);
         pair.expectSame(around(random.uniform(0, 6)),
                         {random.below(3) ? pointLight(light) : sun(at)});
@@ -117,7 +117,7 @@ TEST_P(ProposedMasks, AreThoseOfAllRecordsWhereCapsAreDrawn) {
     Random random(4);
     int withCaps = 0;
     for (int i = 0; i < 60; ++i) {
-        // Among the boxes, so that outlines of shadows run through near rectangles.
+        // Among the boxes, so that outlines of shadows cross near rectangles.
         const glm::dvec3 eye = 2.0 * random.inCube() + glm::dvec3(0, 1, 0);
         pair.expectSame({eye, eye + random.inCube(), 70.0},
                         {pointLight(3.0 * random.inCube() + glm::dvec3(0, 4, 0))});

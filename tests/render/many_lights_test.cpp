@@ -1,5 +1,5 @@
-// Lights without a shadow are added up in one pass, tile by tile, and leave what a pass each
-// leaves; lights that reach nothing that is visible cost nothing.
+// Lights without a shadow are added up in one pass, tile by tile, with the same result as one pass
+// each; lights that reach nothing visible cost nothing.
 #include "src/bench/scattered_lights.hpp"
 #include "src/gl/headless_context.hpp"
 #include "src/render/frame/prepare_scene.hpp"
@@ -39,7 +39,7 @@ int largestDifference(const std::vector<std::uint8_t>& a, const std::vector<std:
     return most;
 }
 
-/// One of each kind: those without candela and with, with ranges and cones and without, suns.
+/// One of each kind: with and without candela, ranges and cones, and suns.
 std::vector<Light> lightsOfAllKinds() {
     std::vector<Light> lights;
     const auto add = [&](const Light& light, const glm::vec3& color, bool photometric) {
@@ -66,7 +66,7 @@ std::vector<Light> lightsOfAllKinds() {
     return lights;
 }
 
-/// Boxes and a sheet over a floor, of matter that scatters, mirrors, gives off light, is
+/// Boxes and a sheet over a floor, of materials that scatter, mirror, emit light, and are
 /// see-through.
 Scene furnished() {
     Material metal, glowing, glass;
@@ -102,7 +102,7 @@ TEST(ManyLights, OnePassLeavesWhatAPassEachLeaves) {
         RenderSettings settings = settingsOf(shading, ShadowMethod::volumes);
         settings.shadowedLights = 0;
         const auto listed = test::drawScene(scene, view, settings);
-        // Each pass rounds, where the sum is kept in half floats or bytes.
+        // Each pass rounds, if the sum is kept in half floats or bytes.
         EXPECT_LE(largestDifference(apart, listed), shading == Shading::full ? 2 : 4);
         RenderSettings dark = settingsOf(shading, ShadowMethod::none);
         TestView none = view;
@@ -125,7 +125,7 @@ TEST(ManyLights, SomeHaveShadowsAndTheOthersShineThrough) {
     const auto all = test::drawScene(scene, view, settings);
     settings.shadowedLights.reset();
     EXPECT_EQ(test::drawScene(scene, view, settings), all);
-    // The brightest alone: as if the others had been added without shadows.
+    // Only the brightest: as if the others had been added without shadows.
     settings.shadowedLights = 1;
     const auto one = test::drawScene(scene, view, settings);
     const auto none = test::drawScene(scene, view, settingsOf(Shading::full, ShadowMethod::none));
@@ -140,7 +140,7 @@ TEST(ManyLights, SomeHaveShadowsAndTheOthersShineThrough) {
     EXPECT_GT(darkest, 100u);
 }
 
-/// What a frame does for these lights.
+/// The work of a frame for these lights.
 struct Work {
     std::size_t reaching = 0, counted = 0, listed = 0, draws = 0, vertexRuns = 0, bytes = 0,
                 lists = 0;
@@ -209,7 +209,7 @@ TEST(ManyLights, ThoseThatReachNothingCostNothing) {
 }
 
 TEST(ManyLights, WorkGrowsNoFasterThanLights) {
-    // Each light reaches less of more casters the more there are: all have their rectangle.
+    // The more lights there are, the fewer casters each reaches: each has its own rectangle.
     SceneBuilder builder;
     builder.floor(10);
     for (float x = -9.0f; x < 9.0f; x += 1.0f)

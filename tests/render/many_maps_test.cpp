@@ -1,5 +1,5 @@
-// Primitive maps of many lights: together they keep to what they may take, those that matter most
-// have theirs, each is of what its light reaches, and pictures are those of volumes.
+// Primitive maps of many lights: together they keep to the limit, the most important lights have
+// theirs, each covers its light's reach, and pictures match those of volumes.
 #include "src/bench/scattered_lights.hpp"
 #include "src/render/frame/prepare_scene.hpp"
 #include "src/shadow/view/light_budget.hpp"
@@ -34,7 +34,7 @@ SceneBuilder town() {
     return builder;
 }
 
-/// A scene that frames are drawn of.
+/// A scene for drawing frames.
 class Stage {
   public:
     Stage(const gl::HeadlessContext& context, const Scene& scene, RenderSettings settings)
@@ -121,7 +121,7 @@ TEST_F(ManyMaps, SixtyFourLightsKeepToTheBudgetAndAreExact) {
 TEST_F(ManyMaps, ThoseThatMatterMostHaveTheirs) {
     const Scene scene = town().scene();
     std::vector<Light> lights;
-    for (std::size_t i = 0; i < 12; ++i) { // one beside the other, the last are the brightest
+    for (std::size_t i = 0; i < 12; ++i) { // side by side, the last ones brightest
         lights.push_back(test::pointLight({0.1 * static_cast<double>(i), 1.2, 0}));
         lights.back().color *= 1.0f + static_cast<float>(i);
         lights.back().range = 3.0;
@@ -188,7 +188,7 @@ TEST_F(ManyMaps, AMapIsOfWhatItsLightReaches) {
     EXPECT_EQ(stage.bytesOf(everywhere), 0u) << "it is another's";
     EXPECT_GT(stage.bytesOf(near), 0u);
     EXPECT_LT(stage.bytesOf(near), whole / 2);
-    // Two at one place have a map each.
+    // Two lights in one place have a map each.
     stage.draw({near, everywhere});
     EXPECT_EQ(stage.bytesOf(everywhere), whole);
     EXPECT_LT(stage.bytesOf(near), whole / 2);
@@ -213,7 +213,7 @@ TEST_F(ManyMaps, WhereVolumesAreCountedOnlyWhatIsSeeThroughNeedsSome) {
     const auto counted = volumes.draw(lights);
     EXPECT_EQ(volumes.mapsOf(lights), 1u);
     EXPECT_GT(volumes.bytesOf(lights[0]), 0u);
-    // Casters aren't looked up, so nothing is there that says which side of them the light is on.
+    // Casters aren't looked up, so nothing knows which side of them the light is on.
     settings.shadows = ShadowMethod::primitiveMap;
     Stage maps(context, scene, settings);
     EXPECT_LE(differing(maps.draw(lights), counted), 40u);

@@ -1,4 +1,4 @@
-// Masks against ray casting in double, where every pixel away from a boundary must agree.
+// Masks against ray casting in double: every pixel away from a boundary must agree.
 
 #include "tests/support/mask_case.hpp"
 #include "tests/support/scene_builder.hpp"
@@ -43,8 +43,8 @@ TEST(MaskAgainstRays, EyeInsideAShadow) {
 }
 
 TEST(MaskAgainstRays, EyeOutsideWhereItSeesTheGroundThroughAShadow) {
-    // The shadow leaves the floor towards the eye, and stands before it outside of all that is
-    // visible.
+    // The shadow rises from the floor towards the eye, and lies in front of it outside all visible
+    // geometry.
     expectRight({SceneBuilder().floor(2).box({-0.5f, 0.2f, -0.5f}, {0.5f, 1, 0.5f}).scene(),
                  {{12, 4, 0}, {0, 0.3, 0}, 25.0},
                  pointLight({-5, 1.2, 0})});
@@ -61,7 +61,7 @@ TEST(MaskAgainstRays, LightBelowTheFloorLightsNothingAbove) {
 }
 
 // Method, section 5: a caster crosses the near plane; its front cap, moved to infinity, must not
-// count where the caster was clipped away.
+// count where the caster was clipped.
 Case casterThroughTheNearPlane() {
     const auto scene =
         SceneBuilder().floor(8).triangle({-1, 1.5f, 4.5f}, {1.2f, 1.4f, 4.4f}, {0.1f, 1.1f, -1});
@@ -106,7 +106,7 @@ TEST(MaskAgainstRays, FarFromTheOrigin) {
 }
 
 TEST(MaskAgainstRays, FanOfTwelveTrianglesAroundOneEdge) {
-    // More opposite vertices than a record holds, so the edge is split.
+    // More opposite vertices than a record can hold, so that the edge is split.
     SceneBuilder builder = SceneBuilder().floor(6);
     for (int i = 0; i < 12; ++i) {
         const float angle = 0.5f * static_cast<float>(i) + 0.1f;
@@ -115,8 +115,8 @@ TEST(MaskAgainstRays, FanOfTwelveTrianglesAroundOneEdge) {
     expectRight({builder.scene(), corner, pointLight({1.3, 4, 0.4})});
 }
 
-/// Open roofs, whose ridge counts twice in light from the side, over a floor; and upright sheets in
-/// the way from where eyes are to such lights, so that the count starts at as many.
+/// Open roofs over a floor, whose ridge counts twice for light from the side, and upright sheets
+/// between the eyes and such lights, so that the count starts at their number.
 SceneBuilder roofsBehindSheets(int sheets) {
     SceneBuilder builder;
     builder.floor(6);
@@ -134,7 +134,7 @@ SceneBuilder roofsBehindSheets(int sheets) {
 
 TEST(MaskAgainstRays, SidesThatCountTwiceFromEyesWithinVolumes) {
     const glm::dmat4 mirror = glm::scale(glm::dmat4(1.0), glm::dvec3(1, 1, -1));
-    const double near = 0.05; // so small a rectangle is in the sheets' shadow as a whole
+    const double near = 0.05; // so small a rectangle is completely in the sheets' shadow
     for (const int sheets : {0, 1, 2, 3})
         for (const Light& light : {sun({1, 0.6, 0.4}), pointLight({14, 9, 9})}) {
             expectRight(
@@ -148,7 +148,7 @@ TEST(MaskAgainstRays, SidesThatCountTwiceFromEyesWithinVolumes) {
         }
 }
 
-// A roof crosses the near plane: its sides are counted behind surfaces, by two.
+// A roof crosses the near plane: its sides are counted behind surfaces, by twos.
 TEST(MaskAgainstRays, SidesThatCountTwiceBehindSurfaces) {
     for (const double near : {2.0, 3.0, 4.0})
         expectRight({roofsBehindSheets(1).scene(),
@@ -169,15 +169,15 @@ TEST(MaskAgainstRays, TriangleSoup) {
         const glm::vec3 a = point(), b = point(), c = point();
         builder.triangle(a, b, c);
     }
-    // Lines where triangles pierce each other are no boundary of the answer alone: a few pixels
-    // there see the other triangle.
+    // Lines where triangles pierce each other are not boundaries of the answer: a few pixels there
+    // show the other triangle.
     const Case test{builder.scene(), corner, pointLight({0.5, 6, 0.2})};
     const Outcome outcome = run(test);
     EXPECT_LE(outcome.wrongBeyondOnePixel, 3);
     EXPECT_LE(outcome.wrong, width * height / 200);
 }
 
-/// The yard with something tiny right before the eye and the whole scene behind it.
+/// The yard with a tiny object just in front of the eye and the whole scene behind it.
 Case deepView(std::optional<int> slices) {
     SceneBuilder builder = yard();
     builder.triangle({4.99f, 3.993f, 5.99f}, {4.991f, 3.993f, 5.99f}, {4.9905f, 3.9935f, 5.9901f});
@@ -199,7 +199,7 @@ TEST(MaskAgainstRays, CasterThroughTheNearPlaneOfSlices) {
     expectRight(test);
 }
 
-/// Sheets above one another, one hand apart, over a floor that the eye sees beside them.
+/// Sheets above one another over a floor that the eye sees beside them.
 Case stack(int sheets) {
     SceneBuilder builder = SceneBuilder().floor(6);
     for (int i = 0; i < sheets; ++i) {
@@ -209,7 +209,7 @@ Case stack(int sheets) {
     return {builder.scene(), corner, pointLight({0.6, 7, 0.3})};
 }
 
-// 256 layers of volumes around a point wrap an 8-bit stencil to 0, which would be lit.
+// 256 layers of volumes around a point wrap an 8-bit stencil to 0, which would mean lit.
 TEST(MaskAgainstRays, MoreLayersThanTheStencilCounts) {
     for (const int sheets : {255, 256, 257, 512, 1000}) {
         const Outcome outcome = run(stack(sheets));
@@ -231,7 +231,7 @@ TEST(MaskAgainstRays, LayersOfCastersWithHolesAreCountedToo) {
         0);
 }
 
-/// A floor and a sheet above it that is not opaque.
+/// A floor and a sheet above it with this alpha mode.
 Case sheetOf(AlphaMode mode, float alpha, bool castMasked) {
     Material material;
     material.alphaMode = mode;
@@ -251,7 +251,7 @@ TEST(MaskAgainstRays, WhatIsNotOpaqueDoesNotCast) {
 
 TEST(MaskAgainstRays, MaskedCasterIsRightInFrontOfAndBehindItsHoles) {
     expectRight(sheetOf(AlphaMode::mask, 1.0f, true));
-    expectRight(sheetOf(AlphaMode::mask, 0.0f, true)); // all hole: the floor shows through
+    expectRight(sheetOf(AlphaMode::mask, 0.0f, true)); // all hole: the floor is visible through it
 }
 
 TEST(MaskAgainstRays, BlendedCasterCastsThoughItIsNotInTheDepthBuffer) {
@@ -267,7 +267,7 @@ TEST(MaskAgainstRays, SeveralBatches) {
     expectRight({scene, corner, pointLight({0.3, 5, 0.7})});
 }
 
-// Static casters are looked up then, and the animated one is counted on top of them.
+// Static casters are then looked up, and the animated one is counted in addition.
 TEST(MaskAgainstRays, AnAnimatedBatchAmongStaticOnes) {
     Scene scene = yard().scene();
     Scene turned = SceneBuilder().box({-0.5f, 1.5f, -0.5f}, {0.5f, 2, 0.5f}).scene();

@@ -1,4 +1,4 @@
-// Full shading: what materials say, drawn, against the specification's formulas in double.
+// Full shading: drawn materials against the specification's formulas in double.
 
 #include "preprocess/gltf/gltf_reading.hpp"
 #include "preprocess/reading/flatten.hpp"
@@ -33,7 +33,7 @@ RenderSettings fullSettings(float ambient = 0.0f) {
     return settings;
 }
 
-/// Draws a file's scene, textures and all.
+/// Draws a file's scene with its textures.
 std::vector<std::uint8_t> draw(const GltfBuilder& gltf, const test::TestView& view,
                                RenderSettings settings) {
     const gl::HeadlessContext context(test::testPicture(view.width, view.height));
@@ -55,7 +55,7 @@ std::vector<std::uint8_t> draw(const GltfBuilder& gltf, const test::TestView& vi
     return context.readPixels();
 }
 
-/// A wall that faces the eye, u to the right and v down, with the material.
+/// A wall with the material that faces the eye, u to the right and v down.
 struct Wall {
     GltfBuilder gltf;
     test::Shape shape;
@@ -68,8 +68,8 @@ struct Wall {
         shape.indices = {0, 1, 2, 0, 2, 3};
     }
 
-    /// A texture of one colour, or one for each quarter: top left, top right, bottom left, bottom
-    /// right.
+    /// A texture of one colour, or of one for each quarter: top left, top right, bottom left,
+    /// bottom right.
     int texture(const std::vector<glm::u8vec4>& texels) {
         std::vector<std::uint8_t> rgba;
         for (const glm::u8vec4& texel : texels)
@@ -117,7 +117,7 @@ Json metallicRoughness(double metallic, double roughness, const Json& more = Jso
     return {{"pbrMetallicRoughness", json}};
 }
 
-// From the middle pixel, whose centre is half a pixel beside the picture's.
+// Seen from the middle pixel, whose centre is half a pixel beside the picture's.
 const double half = 3.0 * std::tan(glm::radians(22.5)) / size;
 const Color eye(-half, half, 3.0);
 const Color copper(0.8, 0.4, 0.1);
@@ -144,7 +144,7 @@ TEST(FullShading, MetalAndRoughnessByTexture) {
 }
 
 TEST(FullShading, PlainSurfacesTakeTheShortWay) {
-    // Base colour as it is in full light; else the display's power of the share.
+    // The base colour itself in full light; else scaled by the display's power of the share.
     const Color drawn = middle(Wall(), metallicRoughness(0.0, 1.0));
     const double share = glm::normalize(aside).z;
     for (glm::length_t c = 0; c < 3; ++c) {
@@ -186,7 +186,7 @@ TEST(FullShading, ExposureScalesLight) {
     expectNear(middle(Wall(), material, settings, {sun({0, 0, -1})}), displayedBytes(Color(0.4)));
 }
 
-/// A normal of the texture turned to the right and up.
+/// A texture's normal, tilted to the right and up.
 const glm::u8vec4 turnedTexel(190, 170, 230, 255);
 glm::dvec3 turnedNormal(double mirror, double scale = 1.0) {
     const glm::dvec3 texel = glm::dvec3(190, 170, 230) / 127.5 - 1.0;
@@ -243,7 +243,7 @@ TEST(FullShading, SpecularGlossiness) {
                    {"specularFactor", {0.6, 0.5, 0.1}},
                    {"glossinessFactor", 0.7}};
     ReferenceSurface surface{Color(0.2, 0.1, 0.05), 0.0, 0.3, Color(0.6, 0.5, 0.1)};
-    // Its diffuse colour is lessened by all that is reflected, straight on too.
+    // All reflected light reduces its diffuse colour, even at normal incidence.
     const auto expected = [&] {
         ReferenceSurface lessened = surface;
         lessened.baseColor *=
@@ -282,7 +282,7 @@ TEST(FullShading, ColoursOfVertices) {
 }
 
 TEST(FullShading, EveryTextureTakesItsOwnCoordinates) {
-    // The base colour the first set, emission the second one, metal and roughness a transform.
+    // Base colour uses the first set, emission the second one, metal and roughness a transform.
     Wall wall;
     wall.attributes["TEXCOORD_1"] = wall.gltf.addVectors(std::vector<glm::vec2>(4, {0.75f, 0.25f}));
     const int base = wall.texture({{255, 255, 255, 255}});
@@ -333,10 +333,10 @@ TEST(FullShading, LightsAddUpBeforeTheDisplaysCurve) {
     if (test::testLimits() == gl::Limits::device)
         expectNear(drawn, displayedBytes(sum), 2.0);
     else
-        EXPECT_GE(drawn.r, displayedBytes(sum).r); // colours are added up
+        EXPECT_GE(drawn.r, displayedBytes(sum).r); // colours are summed
 }
 
-/// A copper box over a plain floor, with what gives off light and what is see-through.
+/// A copper box over a plain floor, with an emissive and a see-through surface.
 GltfBuilder sceneOfSorts() {
     GltfBuilder gltf;
     gltf.addMaterial({{"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 1}}}});
@@ -351,8 +351,8 @@ GltfBuilder sceneOfSorts() {
     return gltf;
 }
 
-/// Every pixel in shadow is that of the picture without the light, every other one that of the
-/// picture without shadows.
+/// Every pixel in shadow must equal that of the picture without the light, every other one that of
+/// the picture without shadows.
 void expectLitOrNot(const RenderSettings& settings, const std::vector<Light>& lights) {
     const GltfBuilder gltf = sceneOfSorts();
     constexpr int width = 96;
@@ -389,7 +389,7 @@ TEST(FullShading, ShadowTakesTheLightAndNothingElse) {
 }
 
 TEST(FullShading, TheTerminatorIsSoftWhereNormalsAreSmooth) {
-    // A wall that the light just grazes, with normals that are turned towards it, or not.
+    // A wall that the light just grazes, with normals tilted towards the light or not.
     const auto drawn = [](const glm::vec3& normal, const glm::dvec3& light, bool soft,
                           double roughness) {
         Wall wall;
@@ -413,7 +413,7 @@ TEST(FullShading, TheTerminatorIsSoftWhereNormalsAreSmooth) {
 }
 
 TEST(FullShading, SeeThroughSurfacesAreInShadowToo) {
-    // A pane over the floor, half of it beneath a roof: as dark there as without the light.
+    // A pane over the floor, half of it beneath a roof: there as dark as without the light.
     GltfBuilder gltf;
     gltf.addMaterial({{"alphaMode", "BLEND"},
                       {"pbrMetallicRoughness",
@@ -447,7 +447,7 @@ TEST(FullShading, SeeThroughSurfacesAreInShadowToo) {
     EXPECT_LT(shaded.r + 30.0, bright.r);
 }
 
-/// A see-through box, with its triangles in the file's order or the other way round.
+/// A see-through box, with its triangles in the file's order or reversed.
 std::vector<std::uint8_t> seeThroughBox(bool reversed, bool doubleSided, bool mirrored = false) {
     GltfBuilder gltf;
     gltf.addMaterial({{"alphaMode", "BLEND"},
@@ -472,7 +472,7 @@ TEST(FullShading, TheOrderOfSeeThroughTrianglesMakesNoDifference) {
         for (const bool mirrored : {false, true})
             EXPECT_EQ(seeThroughBox(false, doubleSided, mirrored),
                       seeThroughBox(true, doubleSided, mirrored));
-    // What is seen from behind hides some of what is behind it.
+    // Surfaces seen from behind hide part of what is behind them.
     EXPECT_LT(at(seeThroughBox(false, true), size / 2, size / 2).b + 10.0,
               at(seeThroughBox(false, false), size / 2, size / 2).b);
     EXPECT_EQ(seeThroughBox(false, false, true), seeThroughBox(false, false));

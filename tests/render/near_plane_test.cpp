@@ -34,7 +34,7 @@ TEST(NearPlane, IgnoresWhatIsBehind) {
 }
 
 TEST(NearPlane, ClipsAFloorToThePicture) {
-    // A floor 2 below the eye enters a picture of 90 degrees at depth 2, though it also runs
+    // A floor 2 below the eye enters a picture of 90 degrees at depth 2, though it also extends
     // beneath and behind the eye.
     EXPECT_NEAR(depthOf(SceneBuilder().floor(100.0f, -2.0f)), 2.0, 0.01);
 }
@@ -64,7 +64,7 @@ TEST(VisibleDepth, EndsAtTheFarthest) {
     EXPECT_NEAR(range.farthest, 9.0, 1e-6);
 }
 
-// Triangles are looked at in runs first: those left out may add nothing.
+// Runs of triangles are tested first: those left out must add nothing.
 TEST(VisibleDepth, IsThatOfAllTrianglesOneByOne) {
     std::mt19937 random(5);
     std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
@@ -74,7 +74,7 @@ TEST(VisibleDepth, IsThatOfAllTrianglesOneByOne) {
     };
     for (const bool orthographic : {false, true})
         for (int i = 0; i < 8; ++i) {
-            // Runs of small triangles, here and there a large one among them.
+            // Runs of small triangles with an occasional large one.
             SceneBuilder builder;
             for (int run = 0; run < 12; ++run) {
                 const glm::vec3 at = 4.0f * vector() - glm::vec3(0, 0, 6);

@@ -1,4 +1,4 @@
-// What each pass sets of the GL is what docs/architecture.md's table says.
+// The state that each pass sets matches the table of docs/architecture.md.
 #include "src/render/frame/pass_state.hpp"
 #include "tests/support/headless.hpp"
 
@@ -20,7 +20,7 @@ std::vector<int> colorMask() {
     return {written.begin(), written.end()};
 }
 
-/// State that differs from every pass's in all that a pass sets.
+/// Sets state that differs from every pass's in everything that a pass sets.
 void disorder() {
     glColorMask(GL_FALSE, GL_TRUE, GL_FALSE, GL_TRUE);
     glDepthMask(integer(GL_DEPTH_WRITEMASK) == 0);
@@ -66,7 +66,7 @@ void expectSet(const PassState& state) {
 
 TEST(PassState, IsSetWhateverWasBefore) {
     const gl::HeadlessContext context(test::testPicture(4, 4));
-    for (int again = 0; again < 2; ++again) { // from either side of each switch
+    for (int again = 0; again < 2; ++again) { // from both positions of each switch
         for (const PassState& state :
              {passes::surfaces, passes::counting, passes::ambientInShadow, passes::alpha,
               passes::addingLight(false, false), passes::addingLight(true, false),

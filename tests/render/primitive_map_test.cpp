@@ -1,5 +1,5 @@
-// Primitive maps without a GL: what their tables say of points, by the shader's own source, against
-// exact rays (docs/method.md, C34 and C35).
+// Primitive maps without a GL: the answers of their tables for points, by the shader's own source,
+// against exact rays (docs/method.md, C34 and C35).
 #include "preprocess/volumes/plane_pair_data.hpp"
 #include "src/scene/gpu_primitive_map.hpp"
 #include "src/shadow/primitive_map/footprint.hpp"
@@ -59,11 +59,11 @@ PrimitiveMap mapOf(const Scene& scene, const Light& light, int size, bool others
     return builder.join().value();
 }
 
-/// Whether a triangle is certainly on the way from the point to the light, certainly not, or
-/// neither: too near to an edge, or to one of the ends.
+/// Whether a triangle is certainly between the point and the light, certainly not, or neither: too
+/// close to an edge or to an end.
 std::optional<bool> isBetween(const Corners& triangle, const glm::dvec3& point,
                               const Light& light) {
-    constexpr double near = 1e-4, nearPlane = 2e-4; // of scenes some 8 across
+    constexpr double near = 1e-4, nearPlane = 2e-4; // for scenes of about 8
     const glm::dvec3 way = glm::dvec3(light.position) - light.position.w * point;
     const glm::dvec3 ab = triangle[1] - triangle[0], ac = triangle[2] - triangle[0];
     const glm::dvec3 p = glm::cross(way, ac);
@@ -84,7 +84,7 @@ std::optional<bool> isBetween(const Corners& triangle, const glm::dvec3& point,
     return std::nullopt;
 }
 
-/// Whether the light reaches the point past all triangles but the one that it lies on.
+/// Whether the light reaches the point past all triangles except the one that it lies on.
 std::optional<bool> isLit(const std::vector<Corners>& triangles, std::size_t own,
                           const glm::dvec3& point, const Light& light) {
     bool certain = true;
@@ -101,7 +101,7 @@ struct Tally {
     std::size_t lit = 0, dark = 0, wrong = 0;
 };
 
-/// Asks the map about points on the scene's triangles and, with `anywhere`, between them.
+/// Queries the map for points on the scene's triangles and, with `anywhere`, between them.
 Tally askAround(const Scene& scene, const Light& light, int size, bool anywhere, std::size_t points,
                 unsigned seed) {
     const PrimitiveMap map = mapOf(scene, light, size, anywhere);
@@ -132,7 +132,7 @@ Tally askAround(const Scene& scene, const Light& light, int size, bool anywhere,
     return tally;
 }
 
-/// Boxes, thin plates and loose triangles, one into the other.
+/// Boxes, thin plates and loose triangles that penetrate each other.
 Scene clutter(unsigned seed, int pieces) {
     Draw draw(seed);
     SceneBuilder builder;
@@ -222,7 +222,7 @@ TEST_P(TenMillionPoints, AreWhatRaysSay) {
 
 INSTANTIATE_TEST_SUITE_P(Long, TenMillionPoints, testing::Range<std::size_t>(0, 7));
 
-/// dot(edge, ray) as a shader's compiler may arrange it.
+/// dot(edge, ray) in the orders that a shader's compiler may choose.
 std::array<float, 3> arrangements(const glm::vec3& edge, const glm::vec3& ray) {
     return {edge.x * ray.x + edge.y * ray.y + edge.z * ray.z,
             std::fma(edge.x, ray.x, std::fma(edge.y, ray.y, edge.z * ray.z)),
@@ -242,7 +242,7 @@ TEST(PrimitiveMapEdges, NeighboursLeaveNoCrackInAnyArithmetic) {
         const LightTiles tiles = tilesFor(light, casters).value();
         const auto occluders = occludersOf(light, tiles, casters).all;
         if (occluders.size() != 2 || occluders[0].lightFacing != occluders[1].lightFacing) continue;
-        // The edge that they share.
+        // The edge that the two triangles share.
         for (std::size_t e = 0; e < 3; ++e)
             for (std::size_t f = 0; f < 3; ++f) {
                 if (occluders[0].edges[e] != -occluders[1].edges[f]) continue;
@@ -314,7 +314,7 @@ TEST(PrimitiveMapBuilding, OfNothingLightsEverything) {
 
 TEST(PrimitiveMapBuilding, ListsNoSheetThatIsOne) {
     const PrimitiveMap map = mapOf(SceneBuilder().floor(2).scene(), sun({0.2, 1, 0.1}), 64, false);
-    // Texels at the rim alone have lists.
+    // Only texels at the rim have lists.
     std::size_t listed = 0, dark = 0;
     for (const glm::vec2& texel : map.header) {
         listed += texel.y > 0.0f;
@@ -324,7 +324,7 @@ TEST(PrimitiveMapBuilding, ListsNoSheetThatIsOne) {
     EXPECT_GT(dark, 1000u);
 }
 
-/// Three triangles of four corners, one of which two facings share: up, down, up.
+/// Three triangles with four corners, one of which two facings share: up, down, up.
 TEST(SidedTriangles, KeepTheirOrder) {
     Scene scene = SceneBuilder().triangle({0, 0, 0}, {1, 0, 0}, {0, 0, -1}).scene();
     Batch& batch = scene.batches.front();

@@ -1,4 +1,4 @@
-// Masks seen by cameras of any place, turn and window against ray casting in double.
+// Masks for cameras with any position, roll and window, against ray casting in double.
 
 #include "tests/support/mask_case.hpp"
 #include "tests/support/scene_builder.hpp"
@@ -19,13 +19,13 @@ using test::yard;
 const Camera corner{{5, 4, 6}, {0, 0.5, 0}, 50.0};
 const glm::dmat4 rolled = glm::rotate(glm::dmat4(1.0), 0.5, {0, 0, 1}) * viewFromWorld(corner);
 
-/// The window beside the viewing direction, turned by 29 degrees.
+/// A window beside the viewing direction, rolled by 29 degrees.
 const Frustum offAxis = frustumOf(rolled, glm::frustum(-0.06, 0.02, -0.04, 0.02, 0.1, 10.0));
 
 Frustum parallel(const Camera& camera, double height) {
     return frustumOf(camera, static_cast<double>(test::maskWidth) / test::maskHeight, height);
 }
-// Not just along walls, nor with edges through pixels' centres.
+// Neither exactly along walls, nor with edges through pixel centres.
 const Frustum fromAbove = parallel({{0.013, 8, 0.007}, {0.3, 0, 0.2}}, 8.1);
 const Frustum aslant = parallel(corner, 7.0);
 const Frustum fromTheSide = parallel({{6, 1.0, 0.2}, {0, 1.0, 0}}, 6.0);
@@ -61,7 +61,7 @@ TEST(Projections, OffAxisLightWithARange) {
     expectRight(test);
 }
 
-/// Directional lights shine into the picture, along it, and out of it.
+/// Directional lights that shine into the picture, along it, and out of it.
 class Parallel : public testing::TestWithParam<std::tuple<Frustum, Light>> {};
 TEST_P(Parallel, AgreesWithRays) {
     const auto& [frustum, light] = GetParam();
@@ -89,7 +89,7 @@ TEST(Projections, ParallelFromBelowTheGround) {
 }
 
 TEST(Projections, ParallelShowsWhatIsBehindTheCameraToo) {
-    // The camera stands within the scene; where along its direction is all the same.
+    // The camera is inside the scene; its place along its direction makes no difference.
     expectRight(seenBy(parallel({{0.5, 0.7, 0.3}, {-4.5, -2.8, -5.4}}, 7.0), sun({0.5, 1, -0.3})),
                 MultiplicityMethod::plane);
 }
@@ -98,7 +98,7 @@ TEST(Projections, ParallelLightWithARange) {
     expectRight(seenBy(fromAbove, Light{{0.3, 3.0, 0.7, 1.0}, 3.4}), MultiplicityMethod::plane);
 }
 
-// Lamps among the casters' depths, which are cut there: above, between and below them as seen.
+// Lamps at the casters' depths, where these are cut: above, between and below them as seen.
 TEST(Projections, ParallelLightAmongTheCasters) {
     for (const Light& light :
          {pointLight({-0.4, 1.1, 0.9}), pointLight({0.9, 1.7, -0.8}), pointLight({0.2, 0.4, 1.3})})
@@ -129,12 +129,12 @@ TEST(Projections, ParallelAtAnyScale) {
         }
 }
 
-// Alpha-tested casters whose holes are seen through, away from the viewer and towards it.
+// Alpha-tested casters with holes to see through, turned away from the viewer and towards it.
 TEST(Projections, ParallelCastersWithHoles) {
     Material leaf;
     leaf.alphaMode = AlphaMode::mask;
     leaf.alphaCutoff = 0.5f;
-    leaf.baseColorFactor.a = 0.2f; // all of it is a hole
+    leaf.baseColorFactor.a = 0.2f; // all hole
     for (const Light& light : {sun({0.5, 1, -0.3}), sun({-0.3, 0.2, 1}), pointLight({0.3, 6, 0.7}),
                                pointLight({-0.4, 1.6, 0.9})})
         for (const Frustum& frustum : {fromAbove, aslant, parallel({{1, -6, 2}, {0, 0, 0}}, 9.0)}) {

@@ -1,5 +1,5 @@
-// RayCrossings between a near rectangle and a light: where they are said to be even, every point of
-// the rectangle must be within as many volumes as any other, by counting in the plainest way.
+// RayCrossings between a near rectangle and a light: where they are reported as even, every point
+// of the rectangle must be inside the same number of volumes, by plain counting.
 #include "src/shadow/plan/ray_crossings.hpp"
 
 #include "src/shadow/silhouette/light_facings.hpp"
@@ -16,7 +16,7 @@ using test::Random;
 using test::shadowOf;
 using test::Soup;
 
-/// All triangles on the way, by barycentric coordinates.
+/// All triangles between start and light, by barycentric coordinates.
 int trianglesOnTheWay(const PlanePairShadow& shadow, const ShadowCluster& cluster,
                       const glm::dvec3& start, const glm::dvec4& light) {
     const glm::dvec3 way = glm::dvec3(light) - start * light.w;
@@ -36,7 +36,7 @@ int trianglesOnTheWay(const PlanePairShadow& shadow, const ShadowCluster& cluste
     return count;
 }
 
-/// A few triangles of about the size of a unit, overlapping, some of them sharing edges.
+/// A few overlapping triangles of about one unit, some sharing edges.
 Soup anySoup(Random& random) {
     Soup soup;
     for (int i = 0; i < 8; ++i)
@@ -88,7 +88,7 @@ TEST(RayCrossings, WhereTheyAreEvenEveryPointHasAsMany) {
 }
 
 TEST(RayCrossings, OfASilhouetteAreUneven) {
-    // One triangle, its edge over the middle of the rectangle.
+    // One triangle whose edge is over the middle of the rectangle.
     const PlanePairShadow shadow = shadowOf({{{0, 1, -5}, {0, 1, 5}, {5, 1, 0}}, {0, 1, 2}});
     const NearClipVolume pyramid{{{{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}}}, {0, 9, 0, 1}};
     const Touched touched = capsTouching(pyramid, shadow.clusters[0], shadow);

@@ -1,4 +1,4 @@
-// Colours worked out by hand: sRGB base colour * (ambient + sum of lights / count * Lambert).
+// Colours with known values: sRGB base colour * (ambient + sum of lights / count * Lambert).
 
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
@@ -81,7 +81,7 @@ int middleOf(const std::vector<std::uint8_t>& pixels) {
     return pixels[4 * (size / 2 * size + size / 2)];
 }
 
-/// Every way of shading there is.
+/// Every kind of shading.
 std::vector<RenderSettings> everyShading() {
     std::vector<RenderSettings> all(4);
     all[0].shadows = ShadowMethod::none;

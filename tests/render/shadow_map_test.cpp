@@ -1,5 +1,5 @@
-// Shadow maps against ray casting: never exact, but close, closer with more texels, and whole
-// across the edges of the cube.
+// Shadow maps against ray casting: never exact, but close, closer with more texels, and without
+// gaps across the edges of the cube.
 
 #include "preprocess/base/error.hpp"
 #include "tests/support/brute_force.hpp"
@@ -36,8 +36,8 @@ std::vector<std::uint8_t> drawMask(const Scene& scene, const Camera& camera, con
     return test::drawScene(scene, {camera, {light}, width, height, true}, settings, castMasked);
 }
 
-/// Percentage of visible pixels that differ from ray casting: all, and those with no boundary of
-/// the right answer within one pixel.
+/// Percentage of visible pixels that differ from ray casting: of all, and of those without a
+/// boundary of the right answer within one pixel.
 struct Wrong {
     double all = 0.0;
     double beyondOnePixel = 0.0;
@@ -114,7 +114,7 @@ TEST(ShadowMap, LightInsideAClosedBoxLightsNothingOutside) {
     }
 }
 
-/// A lamp in the middle of a room, boxes around it in front of edges and corners of the cube.
+/// A lamp in the middle of a room, with boxes in front of edges and corners of the cube.
 Scene room() {
     return SceneBuilder()
         .box({-3, -3, -3}, {3, 3, 3})
@@ -126,7 +126,7 @@ Scene room() {
 const Light lamp = pointLight({0, 0, 0});
 
 TEST(ShadowMap, RoomHasNoSeams) {
-    // Looking along edges and corners of the cube, where a seam would be a line of wrong pixels.
+    // Looks along edges and corners of the cube, where a seam would be a line of wrong pixels.
     for (const glm::dvec3& to :
          {glm::dvec3(3, -3, 0), glm::dvec3(-3, -3, -3), glm::dvec3(0, 3, -3), glm::dvec3(3, 3, 3)})
         for (const int pcf : {1, 3, 7}) {
@@ -147,7 +147,7 @@ int darkPixels(const Scene& scene, const Camera& camera, const Light& light,
 }
 
 TEST(ShadowMap, FloorAcrossTheCubesEdgesIsAllLit) {
-    // One above the floor, the cube's edges lie on it from (1, 1) outwards in both axes.
+    // At 1 above the floor, the cube's edges lie on it from (1, 1) outwards in both axes.
     const Scene floor = SceneBuilder().floor(8, -1).scene();
     for (const Camera& camera :
          {Camera{{0, 9, 0}, {0, -1, 0}, 50.0}, Camera{{3, 1, 4}, {1, -1, 1}, 60.0}})
@@ -158,7 +158,7 @@ TEST(ShadowMap, FloorAcrossTheCubesEdgesIsAllLit) {
 }
 
 TEST(ShadowMap, EmptyRoomIsAllLitButForPointsInItsCorners) {
-    // Where walls meet, a texel of one wall may count for a pixel of the other.
+    // Where walls meet, a texel of one wall may decide for a pixel of the other.
     const Scene empty = SceneBuilder().box({-3, -3, -3}, {3, 3, 3}).scene();
     for (const glm::dvec3& light : {glm::dvec3(0, 0, 0), glm::dvec3(1.3, -2.1, 0.4)})
         for (const glm::dvec3& to : {glm::dvec3(3, -3, 0), glm::dvec3(-3, 3, -3)})
@@ -170,7 +170,7 @@ TEST(ShadowMap, EmptyRoomIsAllLitButForPointsInItsCorners) {
                         << size << " texels, pcf " << pcf;
 }
 
-// A GL that can't hold the cube in one texture gets six: the same texels.
+// A GL that can't hold the cube in one texture gets six, with the same texels.
 TEST(ShadowMap, FacesApartLookTheSame) {
     const Scene scene = test::yard().scene();
     for (const int pcf : {1, 3}) {
@@ -188,8 +188,8 @@ TEST(ShadowMap, FacesApartLookTheSame) {
 }
 
 TEST(ShadowMap, WiderKernelsMakeHalfShadows) {
-    // A white floor from above under a directional light at the zenith: lit 255, ambient 89,
-    // nothing else.
+    // A white floor from above under a directional light at the zenith: lit 255, ambient 89, no
+    // other values.
     const Scene scene = SceneBuilder().floor(4).box({-1, 1, -1}, {1, 2, 1}).scene();
     for (const Light& light : {pointLight({0.5, 6, 0.3}), sun({0.5, 1, 0.3})}) {
         int between[2] = {};
@@ -205,8 +205,9 @@ TEST(ShadowMap, WiderKernelsMakeHalfShadows) {
 }
 
 TEST(ShadowMap, LitPassMeetsTheDepthOfTheAmbientPass) {
-    // The lit pass is another program, with the depth test EQUAL: a position that differed in its
-    // last bit would leave holes. Nothing is in shadow here, so it must look as without shadows.
+    // The lit pass is a different program, with the depth test EQUAL: a position that differed in
+    // its last bit would leave holes. Nothing is in shadow here, so that it must look the same as
+    // without shadows.
     SceneBuilder builder;
     for (int i = 0; i < 12; ++i) {
         const float x = 0.37f * static_cast<float>(i);
@@ -215,7 +216,7 @@ TEST(ShadowMap, LitPassMeetsTheDepthOfTheAmbientPass) {
     const Scene scene =
         builder.placedBy(glm::rotate(glm::dmat4(1.0), 0.3, {1.0, 2.0, 0.5})).scene();
     for (const Light& light : {pointLight({0.5, 60, 0.3}), sun({0.5, 1, 0.3})}) {
-        RenderSettings settings = maps(256, 100.0f); // moved off everything
+        RenderSettings settings = maps(256, 100.0f); // a bias beyond everything
         RenderSettings none;
         none.shadows = ShadowMethod::none;
         const auto drawn = draw(scene, corner, light, settings);
@@ -242,7 +243,7 @@ TEST(ShadowMap, SeveralLightsAndKindsTakeTurns) {
         ASSERT_NEAR(all[i], sum[i], 3.0);
 }
 
-/// A floor and a sheet above it that is not opaque.
+/// A floor and a sheet above it with this alpha mode.
 Scene sheetOf(AlphaMode mode, float alpha) {
     Material material;
     material.alphaMode = mode;
@@ -261,7 +262,7 @@ TEST(ShadowMap, WhatIsNotOpaqueCastsWhenAskedTo) {
         check(sheetOf(AlphaMode::mask, 1.0f));
         check(sheetOf(AlphaMode::blend, 0.5f));
     }
-    // A map holds holes: a sheet that is all hole casts nothing, though it is a caster.
+    // A map respects holes: a sheet that is all hole casts nothing, though it is a caster.
     const Scene hole = sheetOf(AlphaMode::mask, 0.0f);
     EXPECT_EQ(draw(hole, corner, light, maps(1024), true),
               draw(hole, corner, light, maps(1024), false));

@@ -1,5 +1,5 @@
-// Lists of potential silhouettes (docs/method.md, C24): no record that is left out may have a
-// multiplicity other than 0 for any light of the ball.
+// Lists of potential silhouettes (docs/method.md, C24): a record that is left out must have
+// multiplicity 0 for every light of the ball.
 #include "src/shadow/silhouette/potential_silhouettes.hpp"
 #include "src/shadow/silhouette/silhouette_list.hpp"
 
@@ -25,8 +25,8 @@ SilhouetteList listFor(const PlanePairShadow& shadow, const LightBall& ball,
     return proposal;
 }
 
-/// A ball around or near what casts: its centre on planes, edges and vertices, and a few units in
-/// the last place beside them, as often as anywhere; its radius any, or 0.
+/// A ball around or near the casters. Its centre is often on planes, edges and vertices, or a few
+/// units in the last place beside them; its radius is any, or 0.
 LightBall ballFor(const PlanePairShadow& shadow, Random& random) {
     const CapRecord& cap =
         shadow.caps[static_cast<std::size_t>(random.below(static_cast<int>(shadow.caps.size())))];
@@ -50,7 +50,7 @@ LightBall ballFor(const PlanePairShadow& shadow, Random& random) {
     return ball;
 }
 
-/// A light of the ball, on its surface as often as within.
+/// A light of the ball, half of the time on its surface.
 glm::vec4 lightIn(const LightBall& ball, Random& random) {
     for (int tries = 0; ball.radius > 0.0f && tries < 20; ++tries) {
         glm::dvec3 way = glm::normalize(random.inCube());
@@ -63,7 +63,7 @@ glm::vec4 lightIn(const LightBall& ball, Random& random) {
     return ball.center;
 }
 
-/// What a list has of a cluster, in order.
+/// A list's records of one cluster, in order.
 class Listed {
   public:
     Listed(const PairList& list, std::size_t cluster)
@@ -81,8 +81,8 @@ class Listed {
     std::uint32_t next_, end_;
 };
 
-/// Silhouettes that a proposal leaves out, for any way to count that the cluster allows, and pairs
-/// that it wrongly takes for certain ones.
+/// Number of silhouettes that a proposal leaves out, for every way of counting that the cluster
+/// allows, and of pairs that it wrongly marks as certain.
 std::size_t missed(const PlanePairShadow& shadow, const SilhouetteList& proposal,
                    const glm::vec4& light, std::size_t& checked) {
     std::size_t wrong = 0;
@@ -137,7 +137,8 @@ TEST(SilhouetteList, LeavesOutNoSilhouetteForAnyLightOfTheBall) {
     EXPECT_GT(inNoPlane, 10'000u);
 }
 
-/// The lights of a ball on a device with 16 mantissa bits: multiplicities as it would find them.
+/// The lights of a ball on a device with 16 mantissa bits: the multiplicities that it would
+/// compute.
 template <rounded_arithmetic::Rounding rounding>
 std::size_t missedWith16Bits(std::uint64_t seed, std::size_t leftOut) {
     using Shaders = rounded_arithmetic::Shaders<rounding>;
@@ -187,7 +188,7 @@ TEST(SilhouetteList, LeavesOutNoSilhouetteOnADeviceOf16Bits) {
 }
 
 TEST(SilhouetteList, OfALightAtRestIsNextToWhatItMust) {
-    // A closed ball: the records that are listed are those with a multiplicity.
+    // A closed ball: exactly the records with a multiplicity are listed.
     Soup ball;
     constexpr int rings = 40, sectors = 80;
     for (int r = 0; r <= rings; ++r)
@@ -217,7 +218,7 @@ TEST(SilhouetteList, OfALightAtRestIsNextToWhatItMust) {
 
 TEST(SilhouetteList, KeepsMoreWhereFloatsHaveFewerBits) {
     const PlanePairShadow shadow = shadowOf(test::cube());
-    // Next to the plane of a face, nearer than 16 bits tell.
+    // Next to the plane of a face, nearer than 16 bits can resolve.
     const LightBall ball{{0.5f, 1.00001f, 3.0f, 1.0f}, 0.0f};
     EXPECT_GT(listFor(shadow, ball, 16).size(), listFor(shadow, ball, 23).size());
 }
@@ -281,7 +282,7 @@ TEST(LightTrack, AJumpMakesNoBall) {
     track.follow({0, 0, 0, 1});
     EXPECT_TRUE(track.follow({100, 0, 0, 1}));
     EXPECT_EQ(track.ball().radius, 0.0f);
-    // Nor does a directional light where a point light was.
+    // Nor for a directional light in place of a point light.
     EXPECT_TRUE(track.follow({100, 0, 0, 0}));
     EXPECT_TRUE(track.ball().holds({100, 0, 0, 0}));
 }

@@ -1,5 +1,5 @@
-// Percentage-closer soft shadows against penumbras worked out by hand: how wide, where none, and
-// what stays dark.
+// Percentage-closer soft shadows against known penumbras: their width, their absence, and what
+// stays dark.
 
 #include "src/shadow/view/frustum.hpp"
 #include "tests/support/headless.hpp"
@@ -49,7 +49,7 @@ Light panel(const glm::dvec3& position, const glm::dvec2& size, const glm::dvec3
     return light;
 }
 
-/// A mask, by places in the world.
+/// A mask that is queried by places in the world.
 class Mask {
   public:
     Mask(const Scene& scene, const Camera& camera, const Light& light,
@@ -71,7 +71,7 @@ class Mask {
         return pixels_[4 * static_cast<std::size_t>(y * width + x)] / 255.0;
     }
 
-    /// How many visible pixels are none of these two.
+    /// Number of visible pixels with neither of these values.
     int neither(std::uint8_t one, std::uint8_t other) const {
         int count = 0;
         for (std::size_t i = 0; i < pixels_.size(); i += 4)
@@ -85,13 +85,13 @@ class Mask {
     std::vector<std::uint8_t> pixels_;
 };
 
-/// A floor, and one above it a quad whose edge is above x = 0; seen from below the quad.
+/// A floor, and above it a quad with an edge at x = 0, seen from below the quad.
 Scene edgeOverFloor() {
     return SceneBuilder().floor(6).quad({-4, 1, 4}, {0, 1, 4}, {0, 1, -4}, {-4, 1, -4}).scene();
 }
 const Camera below{{0.05, 0.9, 0.05}, {0.05, 0, 0}, 40.0};
 
-/// The share of a disc of radius 1 on one side of a line u from its middle.
+/// The share of a disc of radius 1 beyond a line at u from its middle.
 double shareOfDisc(double u) {
     u = std::clamp(u, -1.0, 1.0);
     return 0.5 + (u * std::sqrt(1.0 - u * u) + std::asin(u)) / std::numbers::pi;
@@ -125,12 +125,13 @@ TEST_P(Penumbras, OfAnEdgeAreAsWideAsTheLightSeenPastIt) {
     }
     std::printf("%s: %.3f on average, %.3f at most\n", of.name, wrong, most);
     EXPECT_LT(wrong, 0.04);
-    EXPECT_LT(most, 0.25); // where few of the search's taps find the caster
+    EXPECT_LT(most, 0.25); // where few of the search's taps hit the caster
     EXPECT_EQ(mask.at({-1.8 * of.halfWidth, 0, 0}), 0.0);
     EXPECT_EQ(mask.at({1.8 * of.halfWidth, 0, 0}), 1.0);
 }
 
-// A lamp of radius r, d above a caster that is 1 above the floor: r / d to either side.
+// A lamp of radius r, d above a caster that is 1 above the floor: the penumbra is r / d to either
+// side.
 INSTANTIATE_TEST_SUITE_P(
     , Penumbras,
     testing::Values(Penumbra{"lamp", lamp({0, 5, 0}, 0.4), 0.1, shareOfDisc},
@@ -173,7 +174,7 @@ TEST(SoftMap, NothingIsLitWhereAllOfTheLightIsHidden) {
     }
 }
 
-// Wide filters are looked up along the receiver's plane: without, most of it is before itself.
+// Wide filters sample along the receiver's plane; otherwise most of that plane would shade itself.
 TEST(SoftMap, SurfacesDontShadeThemselves) {
     const Scene floor = SceneBuilder().floor(6).scene();
     for (const Light& light :
@@ -211,7 +212,8 @@ TEST(SoftMap, LightsWithoutAnExtentStayHard) {
     EXPECT_GT(Mask(boxOnFloor(), above, fromTheRight[0], soft()).neither(0, 255), 100);
 }
 
-// Of a filter of one width the mask is grey as well, but as wide at the foot of a wall as far off.
+// With a filter of constant width the mask is grey too, but as wide at the foot of a wall as far
+// away.
 TEST(SoftMap, PlainFiltersAreAsWideEverywhere) {
     RenderSettings settings = soft(SoftShadows::pcf);
     settings.map.pcf = 7;

@@ -1,5 +1,5 @@
-// Spot lights: what their cones light, held against casting rays, and what is left out because they
-// can't reach it.
+// Spot lights: what their cones light, compared with ray casting, and what is left out as out of
+// reach.
 
 #include "src/gl/headless_context.hpp"
 #include "src/shadow/lights/light_cone.hpp"
@@ -34,7 +34,7 @@ Light randomSpot(Random& random) {
     return spot(place, place + random.inCube(), std::min(outer, rightAngle));
 }
 
-/// A point that the spot lights, no farther than `reach`; some just within the cone's edge.
+/// A point that the spot lights, at most `reach` away; some just inside the cone's edge.
 glm::dvec3 pointIn(const Light& light, double reach, Random& random) {
     const glm::dmat4 worldFromCone = glm::inverse(coneFromWorld(light));
     const double angle = light.cone->outer * (random.below(3) ? 1.0 : random.uniform(0, 1));
@@ -98,7 +98,7 @@ TEST(SpotLight, ReachHoldsEveryVisiblePoint) {
         view.farthestDepth = farthest;
         Light light = randomSpot(random);
         double reach = random.magnitude(-2, 1);
-        if (i % 3 == 0) { // without a range, by what is visible
+        if (i % 3 == 0) { // without a range: limited by the visible geometry
             view.visible.add(glm::dvec3(light.position) + 0.5 * reach * random.inCube());
             view.visible.add(glm::dvec3(light.position) + 0.5 * reach * random.inCube());
         } else {
@@ -152,10 +152,10 @@ TEST(SpotLight, MasksOfHardCasesAreThoseOfRays) {
     ranged.range = 3.2;
     Light grazing = spot({6, 0.3, 0.2}, {0, 0.2, 0}, 0.25, 0.1);
     for (const Light& light :
-         {ranged, grazing, spot({0.2, 4, 1.2}, {0.2, 0, 1.2}, rightAngle), // all below it
-          spot({0.2, 4, 1.2}, {0.2, 9, 1.2}, rightAngle, rightAngle),      // all above it
+         {ranged, grazing, spot({0.2, 4, 1.2}, {0.2, 0, 1.2}, rightAngle), // everything is below it
+          spot({0.2, 4, 1.2}, {0.2, 9, 1.2}, rightAngle, rightAngle),      // everything is above it
           spot({-1.5, 1, -0.5}, {0, 1, 0}, 0.8),                           // inside a box
-          spot({300, 400, 200}, {0, 0.5, 0}, 0.004, 0.0039),               // far and narrow
+          spot({300, 400, 200}, {0, 0.5, 0}, 0.004, 0.0039),               // distant and narrow
           spot({5, 4, 6}, {0, 0.5, 0}, 0.3)})                              // at the eye
         for (const auto method : {MultiplicityMethod::plane, MultiplicityMethod::referenceEdge}) {
             RenderSettings settings;
@@ -182,7 +182,7 @@ TEST(SpotLight, MasksOfPlacedAndScaledScenesAreThoseOfRays) {
                           MultiplicityMethod::plane);
     test::expectRight(placed(glm::translate(one, glm::dvec3(4e6, 100, -5e6)), 1.0),
                       MultiplicityMethod::plane);
-    // Sheared, stretched and mirrored: a cone of the world is none in the yard.
+    // Sheared, stretched and mirrored: a cone in the world is no cone in the yard.
     const glm::dmat4 distorted({-1.5, 0, 0, 0}, {0.3, 0.7, 0, 0}, {0, 0, 1.2, 0}, {0, 0, 0, 1});
     test::expectRight(placed(distorted, 1.3), MultiplicityMethod::plane);
 }
@@ -254,7 +254,7 @@ TEST(SpotLight, FallsOffBetweenItsAngles) {
         expectRight(spot({0, 3, 0}, {0, 0, 0}, outer, inner));
 }
 
-/// How many vertices the volumes of many boxes in rows take.
+/// Number of vertices of the volumes of many boxes in rows.
 std::size_t runsWith(const Light& light) {
     SceneBuilder builder;
     builder.floor(60);

@@ -1,5 +1,5 @@
-// Surfaces that are seen from their edge, by the eye, a pixel wide and as deep as the scene, or by
-// the light: rounding of what a rasteriser interpolates must not put them into shadow.
+// Surfaces seen edge-on, by the eye (a pixel wide and as deep as the scene) or by the light: the
+// rounding of interpolated values must not put them into shadow.
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
 
@@ -10,8 +10,7 @@ namespace {
 
 constexpr int width = 960, height = 540;
 
-/// Of a box whose left side the light shines on, as all others that are seen: how many pixels are
-/// dark.
+/// Number of dark pixels of a box whose left side, like all others in view, the light shines on.
 int darkPixels(const Camera& camera, const Light& light) {
     test::TestView view;
     view.camera = camera;
@@ -37,8 +36,8 @@ class SurfacesFromTheirEdge : public ::testing::Test {
     }
 };
 
-/// To the left of the left side's plane, which is in the picture's right half. Single pixels of an
-/// outline may show what is behind it.
+/// The eye is to the left of the left side's plane, which is in the picture's right half. Single
+/// pixels of an outline may show what is behind it.
 TEST_F(SurfacesFromTheirEdge, AreNotInTheirOwnShadow) {
     int pictures = 0, spotted = 0;
     for (double beside = 0.001; beside < 0.1; beside += 0.0046)
@@ -65,7 +64,8 @@ TEST_F(SurfacesFromTheirEdge, AreLitWhereTheLightAllButLiesInThem) {
 }
 
 TEST_F(SurfacesFromTheirEdge, AreDarkWhereTheLightGrazesThem) {
-    // The sine of the angle between light and side is below the bound (docs/method.md, C47).
+    // The sine of the angle between the light and the side is below the bound (docs/method.md,
+    // C47).
     const int leftSide = darkPixels(leftAndTop, test::sun({0.0, 0.8, 0.61}));
     EXPECT_GT(leftSide, width * height / 20);
     for (const double aside : {1e-8, 1e-7, 1e-6}) {

@@ -1,5 +1,5 @@
-// Sides thinner than the rasteriser's grid: whether they face the eye is decided by the rasteriser
-// alone, so that what counts twice counts as the opposite-vertex records do, pixel for pixel.
+// Sides thinner than the rasteriser's grid: only the rasteriser decides whether they face the eye,
+// so that counting by two must give the same pixels as the opposite-vertex records.
 
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
@@ -14,8 +14,8 @@ using test::SceneBuilder;
 
 constexpr int width = 640, height = 360;
 
-/// A low open ridge of `segments` segments, curved so that its crest is a silhouette, before a
-/// wall. Its sides are seen almost from the edge.
+/// A low open ridge of `segments` segments in front of a wall, curved so that its crest is a
+/// silhouette. Its sides are seen almost edge-on.
 Scene ridge(int segments) {
     const auto ring = [segments](int segment, int vertex) {
         const double p = -0.1 + 0.2 * segment / segments;

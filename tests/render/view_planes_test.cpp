@@ -1,4 +1,4 @@
-// What is left out of a picture because it can't be in it: boxes by the planes of a slice.
+// Boxes that are left out of a picture because a slice's planes exclude them.
 
 #include "src/shadow/view/view_planes.hpp"
 
@@ -59,7 +59,7 @@ TEST(ViewPlanes, NothingShownIsOutside) {
                                            [&](const glm::dvec4& p) { return isOutside(box, p); });
         outside += isLeftOut;
         for (int p = 0; p < 40; ++p) {
-            // Every third at a corner.
+            // One in three at a corner.
             glm::dvec3 share(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
             if (p % 3 == 0) share = glm::round(share);
             const glm::dvec3 point = glm::mix(box.low, box.high, share);

@@ -1,4 +1,4 @@
-// Shadows are counted within the pixels that surfaces are in: none of them may be missed.
+// Shadows are counted only in the rectangle of pixels with surfaces: it must miss none.
 
 #include "src/shadow/view/light_reach.hpp"
 #include "tests/support/hard_lights.hpp"
@@ -17,7 +17,7 @@ using test::TestView;
 
 constexpr int width = 120, height = 90;
 
-/// The pixels from the lower left in which a picture of the scene has surfaces.
+/// The rectangle of pixels, from the lower left, in which a picture of the scene has surfaces.
 PixelRectangle drawnPixels(const Scene& scene, const Camera& camera) {
     RenderSettings settings;
     settings.shadows = ShadowMethod::none;
@@ -51,8 +51,8 @@ TEST(VisiblePixels, HoldWhatIsDrawnAndLittleMore) {
     Random random(11);
     int drawn = 0, tight = 0, farOff = 0;
     for (int i = 0; i < 120; ++i) {
-        // Some triangles, some of them beside or behind the eye, small or large, also far from the
-        // batch's own origin.
+        // Triangles, some beside or behind the eye, small or large, some far from the batch's own
+        // origin.
         const double offset = i % 3 == 0 ? random.magnitude(2, 4) : 0.0;
         const glm::dvec3 center = offset * random.inCube();
         SceneBuilder builder;
@@ -78,7 +78,7 @@ TEST(VisiblePixels, HoldWhatIsDrawnAndLittleMore) {
             << found.y << " in " << visible.width << "x" << visible.height << " at " << visible.x
             << ", " << visible.y;
         ++drawn;
-        farOff += offset > 0.0; // where floats place things pixels off
+        farOff += offset > 0.0; // where floats are pixels off
         tight +=
             offset == 0.0 && visible.width <= found.width + 6 && visible.height <= found.height + 6;
     }

@@ -36,7 +36,7 @@ void appendShell(const Box& box, std::vector<CapRecord>& caps) {
             caps.push_back(capOf(corner(p), corner(q), corner(r)));
 }
 
-/// The clusters are shells of their bounds.
+/// The plan for clusters that are shells of their bounds.
 VolumePlan planOf(const std::vector<ShadowCluster>& clusters, const PlanView& view) {
     PlanePairShadow shadow;
     for (ShadowCluster cluster : clusters) {
@@ -62,7 +62,7 @@ ShadowCluster clusterAt(const glm::dvec3& center, double halfSize, bool closed =
     return cluster;
 }
 
-/// From the origin along -z, 60 degrees both ways, from 0.1 to 100.
+/// From the origin along -z, 60 degrees in both directions, from 0.1 to 100.
 FrameView viewAlongZ() {
     FrameView view;
     view.frustum = frustumOf({{0, 0, 0}, {0, 0, -1}, 60.0}, 1.0);
@@ -115,7 +115,7 @@ TEST(Separation, NeverPartsWhatTouches) {
                                !directional);
         const NearClipVolume pyramid{{{corner, corner + right, corner + right + up, corner + up}},
                                      light};
-        // A point of the hull, and a box that just holds it.
+        // A point of the hull, and a small box that contains it.
         const double s = random.uniform(0, 1), t = random.uniform(0, 1);
         const glm::dvec3 base = corner + s * right + t * up;
         const double u = random.uniform(0, 1);
@@ -127,10 +127,10 @@ TEST(Separation, NeverPartsWhatTouches) {
         const ClipVolumeFaces faces(pyramid);
         EXPECT_FALSE(faces.separate(boxAround(point + offset, size * 1.0001)));
         const glm::dvec3 a = point + size * random.inCube(), b = point + size * random.inCube();
-        const glm::dvec3 c = 3.0 * point - a - b; // so that the point is its middle
+        const glm::dvec3 c = 3.0 * point - a - b; // so that the point is in its middle
         EXPECT_FALSE(areApart(pyramid, std::array{a, b, c}));
         EXPECT_FALSE(faces.separate(std::array{a, b, c}));
-        // What the quick test keeps apart, the slow one does.
+        // Boxes that the quick test separates, the slow one separates too.
         const std::array other = {4.0 * random.inCube(), 4.0 * random.inCube(),
                                   4.0 * random.inCube()};
         EXPECT_TRUE(directional || !faces.separate(other) || areApart(pyramid, other));
@@ -138,7 +138,7 @@ TEST(Separation, NeverPartsWhatTouches) {
         slow += areApart(pyramid, other);
         apart += areApart(pyramid, boxAround(4.0 * random.inCube(), size));
     }
-    EXPECT_GT(apart, 10'000u); // a test that always says no would pass too
+    EXPECT_GT(apart, 10'000u); // a test that always says no would also pass
     EXPECT_GT(10 * quick, 8 * slow);
 }
 
@@ -169,12 +169,12 @@ TEST(VolumePlan, AShadowsOutlineOverTheNearRectangleTakesCaps) {
     EXPECT_EQ(draw.caps, CapsNeeded::outlineMet);
     EXPECT_FALSE(draw.frontCaps) << "it is above the eye, out of view";
     EXPECT_EQ(draw.counted, Counted::lightFacing);
-    // A directional light within the plane of a face says nothing of that.
+    // With a directional light in the plane of a face this is unknown.
     EXPECT_EQ(onlyDraw(clusterAt({1, 5, 0}, 1), {0, 1, 0, 0}).caps, CapsNeeded::uncertain);
 }
 
-// Shaders divide by the light's height above an end: a GPU clips vertices whose w is a tiny share
-// of others' a pixel off.
+// Shaders divide by the light's height above an end: for vertices whose w is a tiny share of
+// others' a GPU clips a pixel off.
 TEST(VolumePlan, EndsAreScaledToTheLightThatIsDrawn) {
     const FrameView view = viewAlongZ();
     FrameView placed = view;
@@ -212,19 +212,19 @@ TEST(VolumePlan, BetweenTheInsideAndTheOutsideItSealsTheLightOff) {
         const std::vector<ShadowCluster> clusters = {cluster, clusterAt({0, 0, -30}, 1)};
         return planOf(clusters, planView(view, view.slices[0], {light}, glm::dmat4(1.0)));
     };
-    // The light is in it, or the eye; or both are.
+    // The light is inside, or the eye, or both.
     EXPECT_EQ(planWith(clusterAt({0, 0, -10}, 1), {0, 0, -10.5, 1}).fullyShadowedBy, 0u);
     EXPECT_TRUE(planWith(clusterAt({0, 0, -10}, 1), {0, 0, -10.5, 1}).drawn.empty());
     EXPECT_EQ(planWith(clusterAt({0, 0, 0}, 3), {0, 50, -10, 1}).fullyShadowedBy, 0u);
     EXPECT_EQ(planWith(clusterAt({0, 0, 0}, 3), {0.3, 1, 0.2, 0}).fullyShadowedBy, 0u);
     EXPECT_FALSE(planWith(clusterAt({0, 0, 0}, 3), {0, 1, -1, 1}).fullyShadowedBy);
-    // An open one, or one that the near plane cuts, says nothing of that.
+    // An open cluster, or one that the near plane cuts, proves nothing.
     EXPECT_FALSE(planWith(clusterAt({0, 0, -10}, 1, false), {0, 0, -10.5, 1}).fullyShadowedBy);
     EXPECT_FALSE(planWith(clusterAt({0, 0, -0.1}, 0.05), {0, 0, -0.12, 1}).fullyShadowedBy);
 }
 
 TEST(VolumePlan, ComponentsThatOneCrossesEachWayCountInFull) {
-    // The eye is within one box, the light within another: their winding numbers must not be added.
+    // The eye is in one box, the light in another: their winding numbers must not be added.
     PlanePairShadow shadow;
     appendShell(boxAround({0, 0, 0}, 3), shadow.caps);
     appendShell(boxAround({0, 50, 0}, 3), shadow.caps);
@@ -243,7 +243,7 @@ TEST(VolumePlan, ComponentsThatOneCrossesEachWayCountInFull) {
 }
 
 TEST(VolumePlan, TheNearPlaneWithinItsBoundsCountsInFull) {
-    // Not the eye, which is at 0; the near plane is at 0.1.
+    // The eye, at 0, is not inside; the near plane is at 0.1.
     const ClusterPlan draw = onlyDraw(clusterAt({0, 0, -0.1}, 0.05), {0, 50, -10, 1});
     EXPECT_EQ(draw.counted, Counted::all);
     EXPECT_EQ(draw.caps, CapsNeeded::nearPlaneMet);
@@ -271,7 +271,7 @@ TEST(VolumePlan, WithinItsBoundsButBetweenItsTrianglesItTakesNoCapsAndHalfTheTri
     ASSERT_EQ(draws.size(), 1u);
     EXPECT_FALSE(draws[0].zFail());
     EXPECT_EQ(draws[0].counted, Counted::lightFacing);
-    // A box between eye and light.
+    // A box between the eye and the light.
     appendShell(boxAround({1, 1.5, -0.5}, 0.1), shadow.caps);
     shadow.clusters[0].caps.count = 36;
     shadow.clusters[0].leaves.count = 2;
@@ -280,7 +280,7 @@ TEST(VolumePlan, WithinItsBoundsButBetweenItsTrianglesItTakesNoCapsAndHalfTheTri
     ASSERT_EQ(draws.size(), 1u);
     EXPECT_FALSE(draws[0].zFail());
     EXPECT_EQ(draws[0].start, 1);
-    // Where the components are not known, one crossed each way may be two.
+    // If the components are unknown, one crossing in each direction may belong to two of them.
     shadow.clusters[0].components = 3;
     draws = planVolumes(shadow, view).drawn;
     EXPECT_EQ(draws[0].counted, Counted::all);
@@ -288,7 +288,7 @@ TEST(VolumePlan, WithinItsBoundsButBetweenItsTrianglesItTakesNoCapsAndHalfTheTri
 }
 
 TEST(VolumePlan, ANearPlaneJustBeforeItTakesNoCapsAndHalfTheTriangles) {
-    // As fitted near planes are: the rectangle reaches into the bounds, beside the triangles.
+    // As with fitted near planes: the rectangle reaches into the bounds, beside the triangles.
     PlanePairShadow shadow;
     ShadowCluster cluster = clusterAt({0, 0, -1}, 0.5);
     cluster.caps = {0, 1};
@@ -314,9 +314,10 @@ TEST(VolumePlan, WhatCannotCastIntoTheViewIsLeftOut) {
     EXPECT_TRUE(planFor(clusterAt({0, 0, 10}, 1), {0, 50, 10, 1}).empty());   // behind the eye
     EXPECT_TRUE(planFor(clusterAt({50, 0, -10}, 1), {0, 0, -10, 1}).empty()); // to the right
     EXPECT_TRUE(
-        planFor(clusterAt({50, 0, -10}, 1), {-1, 0, 0, 0}).empty()); // of a directional light
+        planFor(clusterAt({50, 0, -10}, 1), {-1, 0, 0, 0}).empty()); // with a directional light
     EXPECT_TRUE(planFor(clusterAt({0, 0, -200}, 1), {0, 0, 10, 1}).empty());    // beyond all
-    EXPECT_EQ(planFor(clusterAt({50, 0, -10}, 1), {90, 0, -10, 1}).size(), 1u); // from outside in
+    EXPECT_EQ(planFor(clusterAt({50, 0, -10}, 1), {90, 0, -10, 1}).size(), 1u); // the shadow comes
+                                                                                // in from outside
     EXPECT_EQ(planFor(clusterAt({0, 0, 10}, 1), {0, 0, 50, 1}).size(), 1u);
 }
 
@@ -349,7 +350,7 @@ TEST(VolumePlan, NoShadowInViewIsLeftOutAndNoEyeInAShadowGoesWithoutCaps) {
         const VolumePlan plan =
             planOf(clusters, planView(view, view.slices[0], {light}, glm::dmat4(1.0)));
         const auto& draws = plan.drawn;
-        // A point of its volume.
+        // A point of the cluster's volume.
         const glm::dvec3 of = cluster.bounds.center() +
                               random.inCube() * (0.5 * (cluster.bounds.high - cluster.bounds.low));
         const double away = random.magnitude(-3, 3);
@@ -376,7 +377,7 @@ TEST(VolumePlan, NoShadowInViewIsLeftOutAndNoEyeInAShadowGoesWithoutCaps) {
         }
         if (draws.empty()) continue;
         withoutCaps += !draws[0].zFail();
-        // What it crosses of the shell, from outside and from inside.
+        // The number of crossings of the shell, from outside and from inside.
         const int in = enter <= leave && enter > 0.0;
         const int out = enter <= leave && leave < (directional ? 1e30 : 1.0);
         inShadow += in + out > 0 && !draws[0].zFail();
@@ -429,7 +430,7 @@ TEST(VolumePlan, EndsHaveTheEyeAndAllThatIsVisibleOnTheLightsSide) {
             for (const glm::dvec3& corner : here.fromNear.corners)
                 EXPECT_GT(glm::dot(end, glm::dvec4(corner, 1.0)), 0.0);
             if (&end == &here.ends.front())
-                continue; // of the farthest depth, if the light is nearer
+                continue; // at the farthest depth, if the light is nearer
             for (const double s : {0.0, 1.0}) {
                 const glm::dvec3 seen = glm::mix(view.visible.low, view.visible.high, s);
                 EXPECT_GT(glm::dot(end, glm::inverse(placed) * glm::dvec4(seen, 1.0)), 0.0);
@@ -455,7 +456,7 @@ TEST(VolumePlan, ClustersOutOfALightsRangeAreLeftOut) {
     const FrameView view = viewAlongZ();
     const auto draws = [&](double range, const glm::dmat4& worldFromBatch = glm::dmat4(1.0)) {
         const Light light{{0, 0, -10, 1}, range};
-        // 1, 4 and 9 away from the light, on the far side of it and to both sides.
+        // 1, 4 and 9 away from the light, on its far side and to both sides.
         const std::vector<ShadowCluster> clusters = {clusterAt({0, 0, -11.5}, 0.5),
                                                      clusterAt({4.5, 0, -10}, 0.5),
                                                      clusterAt({-9.5, 0, -20}, 0.5)};
@@ -471,17 +472,17 @@ TEST(VolumePlan, ClustersOutOfALightsRangeAreLeftOut) {
     EXPECT_EQ(draws(4.1), 2u);
     EXPECT_EQ(draws(20.0), 3u);
     EXPECT_EQ(draws(std::numeric_limits<double>::infinity()), 3u);
-    // Seen from a batch of twice the scale all is half as far from the light, which is at z = -5.
+    // In a batch of twice the scale everything is half as far from the light, which is at z = -5.
     EXPECT_GT(draws(20.0, glm::dmat4(glm::dmat3(2.0))), 0u);
     EXPECT_EQ(draws(5.0, glm::dmat4(glm::dmat3(2.0))), 0u);
 }
 
-// A fan's triangles are pushed away from the light like the triangles that they stand for: around a
-// light within the cluster they would close on the wrong side of it.
+// A fan's triangles are pushed away from the light like the triangles that they replace: around a
+// light within the cluster they would close on its wrong side.
 TEST(VolumePlan, BackCapsAreNoFansAroundALightWithinTheCluster) {
     const glm::dvec4 light(0, 0, -20, 1);
     const auto drawWithBounds = [&](const Box& bounds) {
-        // A shell whose silhouette crosses the way from the near rectangle to the light.
+        // A shell whose silhouette crosses the rays from the near rectangle to the light.
         PlanePairShadow shadow;
         appendShell(boxAround({0.5, 0, -10}, 0.5), shadow.caps);
         ShadowCluster cluster;

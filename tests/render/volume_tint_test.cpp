@@ -1,5 +1,5 @@
-// The debug picture: colours where the sides and caps of a known caster stand, of the frame's own
-// plan and of nothing else.
+// The debug picture: colours at the sides and caps of a known caster, from the frame's own plan,
+// and nowhere else.
 #include "src/render/frame/frame.hpp"
 #include "src/render/frame/volume_tint_pass.hpp"
 #include "src/rivals/rivals.hpp"
@@ -20,14 +20,14 @@ using Picture = std::vector<std::uint8_t>;
 
 constexpr int width = 160, height = 120;
 
-/// What one frame shows, with and without the tint.
+/// Pictures of one frame, with and without the tint.
 struct Pictures {
     Picture plain, tinted, mask;
 };
 
 using Change = std::function<void(FramePlan&)>;
 
-/// Draws the scene, and tints it by the frame's plan, or by what `change` makes of that.
+/// Draws the scene, and tints it by the frame's plan, changed by `change`.
 Pictures pictures(const Scene& scene, const FrameRequest& request, bool castMasked = false,
                   RenderSettings settings = {}, const Change& change = {}) {
     const gl::HeadlessContext context(test::testPicture(request.width, request.height));
@@ -76,8 +76,8 @@ const Scene boxOverFloor = SceneBuilder().floor(9).box({-1, 2, -1}, {1, 2.5, 1})
 const Camera fromTheSide{{0.5, 4, 11}, {0, 1, 0}, 50.0};
 const Light lampAbove = pointLight({0.4, 8, 0.3});
 
-/// A box's volume in front of a pixel's surface is entered once more than it is left where the
-/// surface is in its shadow: one orange layer, else none or two.
+/// If a pixel's surface is in shadow, a box's volume in front of it is entered once more than it is
+/// left: one orange layer; else none or two.
 void expectSidesAreOrange(const Pictures& pictures) {
     int one = 0, two = 0;
     for (std::size_t at = 0; at < pictures.plain.size(); at += 4) {
@@ -86,7 +86,7 @@ void expectSidesAreOrange(const Pictures& pictures) {
         if (!surface) continue;
         const glm::vec4& orange = VolumeTintPass::tints.before;
         if (!lit) {
-            // The box's own faces that are turned away are in its volume's outline.
+            // The box's own faces that are turned away are within its volume's outline.
             ASSERT_TRUE(isUnder(pictures, at, orange, 1) || isUnder(pictures, at, orange, 0))
                 << "pixel " << at / 4;
             one += isUnder(pictures, at, orange, 1);
@@ -133,7 +133,7 @@ TEST(VolumeTint, EachSliceTintsThePixelsThatItHoldsAlone) {
     EXPECT_GE(used, 2);
 }
 
-/// A sheet that passes for one with holes takes caps: red sides, and a blue front cap on the sheet.
+/// A sheet of an alpha-tested material takes caps: red sides, and a blue front cap on the sheet.
 struct Leaf {
     Leaf() {
         Material leaf;
@@ -162,7 +162,7 @@ TEST(VolumeTint, CapsAreBlueAndTheirSidesRed) {
     const Pictures drawn = pictures(leaf.scene, leaf.frame, true);
     const auto& tints = VolumeTintPass::tints;
     EXPECT_TRUE(isUnder(drawn, leaf.pixelOf({0.1, 2, 0.2}), tints.caps, 1));
-    // In the middle of its shadow, before which its front side stands.
+    // In the middle of its shadow, in front of which its front side stands.
     EXPECT_EQ(drawn.mask[leaf.pixelOf({0.0, 0, 0.6})], 0);
     EXPECT_TRUE(isUnder(drawn, leaf.pixelOf({0.0, 0, 0.6}), tints.behind, 1));
     EXPECT_TRUE(isUnder(drawn, leaf.pixelOf({-5, 0, 2}), tints.behind, 0));
@@ -192,7 +192,7 @@ TEST(VolumeTint, ShowsThePlanThatItIsGivenAndNothingElse) {
 }
 
 TEST(VolumeTint, WhatCountsTwiceIsGreen) {
-    // A roof whose ridge is a silhouette: both of its sides cast, one turned away.
+    // A roof whose ridge is a silhouette: both of its sides cast, one of them turned away.
     const Scene roof = SceneBuilder()
                            .floor(9)
                            .quad({-1, 1, -1}, {-1, 1, 1}, {0, 3, 1}, {0, 3, -1})

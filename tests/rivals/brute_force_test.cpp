@@ -1,5 +1,5 @@
-// Volumes of single triangles against ray casting: right for any soup of triangles, behind surfaces
-// and before them, with the eye in shadow, on any device.
+// Volumes of single triangles against ray casting: right for any triangle soup, counted behind
+// surfaces and in front of them, with the eye in shadow, on any device.
 
 #include "preprocess/base/error.hpp"
 #include "src/rivals/brute_force/triangle_draws.hpp"
@@ -33,7 +33,7 @@ bool instances() {
     return can;
 }
 
-/// By either count.
+/// Checks both ways of counting.
 void expectBruteForceRight(const Case& test, SidesLayout layout,
                            int mostWrong = test::maskWidth * test::maskHeight / 500) {
     for (const auto count : {BruteForceCount::zFail, BruteForceCount::zPass}) {
@@ -45,7 +45,7 @@ void expectBruteForceRight(const Case& test, SidesLayout layout,
     }
 }
 
-/// As the device can.
+/// Checks the layout that the device supports.
 void expectBruteForceRight(const Case& test) {
     expectBruteForceRight(test, instances() ? SidesLayout::instanced : SidesLayout::notInstanced);
 }
@@ -81,7 +81,7 @@ TEST(BruteForce, AnEdgeWithManyTriangles) {
         expectBruteForceRight({builder.scene(), corner, light});
 }
 
-/// Triangles that have nothing to do with each other, some of them slivers.
+/// Unrelated triangles, some of them slivers.
 Scene soup(bool slivers) {
     std::mt19937 random(7);
     const auto unit = [&] { return static_cast<float>(random()) / 4294967296.0f; };
@@ -103,19 +103,19 @@ TEST(BruteForce, ASoupOfTriangles) {
                               150);
 }
 
-// Slivers next to which nothing is: no streaks, and no shadow to speak of.
+// Slivers without neighbours: no streaks, and hardly any shadow.
 TEST(BruteForce, SliversLeaveNoStreaks) {
     const Case test{soup(true), {{4, 5, 5}, {0, 0, 0}, 50.0}, pointLight({0.3, 5, 0.4})};
     for (const auto count : {BruteForceCount::zFail, BruteForceCount::zPass}) {
         const Outcome outcome = run(test, bruteForce(count, SidesLayout::notInstanced));
-        EXPECT_LE(outcome.wrongBeyondOnePixel, 4); // with 16 bits of depth 3
+        EXPECT_LE(outcome.wrongBeyondOnePixel, 4); // 3 with a 16-bit depth buffer
         EXPECT_LE(outcome.wrong, 60);
     }
 }
 
-// Within a wall two triangles' sides begin at the surface that is seen: unless both have the same
-// depths there they don't cancel. A wall within the picture, and one of which clipping makes other
-// vertices.
+// Within a wall two triangles' sides begin at the visible surface: they cancel only if both have
+// the same depths there. Tested with a wall inside the picture, and with one that clipping gives
+// other vertices.
 TEST(BruteForce, NeighboursSidesCancelAtTheSurface) {
     for (const float half : {3.6f, 9.0f}) {
         const Scene wall =
@@ -131,7 +131,7 @@ TEST(BruteForce, NeighboursSidesCancelAtTheSurface) {
     }
 }
 
-// A roof over the eye: the near plane begins within its volume.
+// A roof over the eye, so that the near plane starts within its volume.
 TEST(BruteForce, EyeInShadow) {
     const Scene scene = SceneBuilder()
                             .floor(8)
@@ -161,7 +161,8 @@ TEST(BruteForce, ACasterThroughTheNearPlane) {
             expectBruteForceRight({scene, {{0.3, y, 1}, {0, 0, -4}, 80.0}, light, 0.5});
 }
 
-// Seen from the near plane the light's rays lie in it: nothing of ZP+ is left, and it says so.
+// As seen from the near plane the light's rays lie in it: ZP+ doesn't work then, and the report
+// says so.
 TEST(BruteForce, LightInTheNearPlaneIsCountedBehindSurfaces) {
     const Scene scene = SceneBuilder().floor(8).box({-3, 2, -3}, {3, 2.2f, 3}).scene();
     for (const Light& light : {sun({0, 1, 0}), sun({0.2, 1, 1e-4}), pointLight({0, 5, 0.9})})
@@ -184,7 +185,8 @@ TEST(BruteForce, MirroredStretchedAndFarFromTheOrigin) {
     expectBruteForceRight({scene, camera, sun({0.5, 1, -0.3})});
 }
 
-// As many triangles behind each other as would count to nothing in eight bits: in groups.
+// So many triangles behind each other that eight bits would count them as 0: they are split into
+// groups.
 TEST(BruteForce, MoreLayersThanTheStencilCounts) {
     SceneBuilder builder = SceneBuilder().floor(5);
     for (int i = 0; i < 256; ++i) {
@@ -194,7 +196,7 @@ TEST(BruteForce, MoreLayersThanTheStencilCounts) {
     expectBruteForceRight({builder.scene(), corner, pointLight({0.1, 6, 0.2})});
 }
 
-// Cutouts: the whole polygon casts, and surfaces behind its holes are seen through it.
+// Cutouts: the whole polygon casts, and surfaces behind its holes are visible through it.
 TEST(BruteForce, AlphaTestedCasters) {
     Material hole;
     hole.alphaMode = AlphaMode::mask;
@@ -217,7 +219,7 @@ TEST(BruteForce, OrthographicAndCulledPicturesAreUnavailable) {
     EXPECT_THROW(run(test, bruteForce(BruteForceCount::zFail, SidesLayout::notInstanced)), Error);
 }
 
-/// One batch, two materials of which the second is alpha-tested.
+/// One batch with two materials, the second alpha-tested.
 std::vector<VolumeDraw> drawsOf(const TriangleCount& count) {
     Material opaque, masked;
     masked.alphaMode = AlphaMode::mask;
@@ -230,7 +232,7 @@ TEST(TriangleDraws, BehindSurfacesAreWholeVolumes) {
     using Shape = VolumeDraw::Shape;
     const auto draws = drawsOf({.nearDiscard = true});
     ASSERT_EQ(draws.size(), 4u);
-    EXPECT_EQ(draws[0].range.count, 7u); // adjoining opaque ones together
+    EXPECT_EQ(draws[0].range.count, 7u); // merged adjoining opaque ranges
     EXPECT_EQ(draws[0].verticesPerRecord, 18);
     EXPECT_TRUE(draws[0].zFail && draws[0].nearDiscard && draws[0].batch == 5);
     EXPECT_EQ(draws[0].shape, Shape::triangleVolumes);

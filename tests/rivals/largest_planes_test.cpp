@@ -14,7 +14,7 @@ double distanceTo(const SurfacePlane& plane, const glm::dvec3& point) {
 }
 
 TEST(LargestPlanes, AreTheLargestFirst) {
-    // Of the box the top and the bottom are 4 x 4, two sides 4 x 1, two 4 x 1.
+    // The box's top and bottom are 4 x 4, its four sides 4 x 1.
     const auto planes =
         largestPlanes(SceneBuilder().floor(5).box({-2, 1, -2}, {2, 2, 2}).scene(), 3);
     ASSERT_EQ(planes.size(), 3u);
@@ -31,7 +31,7 @@ TEST(LargestPlanes, FewerThanAskedForAreAll) {
     EXPECT_TRUE(largestPlanes(SceneBuilder().scene(), 4).empty());
 }
 
-// Tiles, of which some face down, on a plane that is tilted, mirrored and far away.
+// Tiles, some facing down, on a plane that is tilted, mirrored and far away.
 TEST(LargestPlanes, TiltedTilesFarFromTheOriginAreOnePlane) {
     SceneBuilder builder;
     for (int i = -10; i < 10; ++i)
@@ -54,7 +54,8 @@ TEST(LargestPlanes, TiltedTilesFarFromTheOriginAreOnePlane) {
     EXPECT_LT(distanceTo(planes[0], glm::dvec3(placed * glm::dvec4(4.5, 0, -3, 1))), 1e-3);
 }
 
-// Rounded to floats a tilted plane's vertices are off it by some units; steps of a stair are not.
+// A tilted plane's vertices, rounded to floats, are off it by a few units; steps of a stair are
+// not.
 TEST(LargestPlanes, TellRoundingFromSteps) {
     SceneBuilder builder;
     const glm::dmat4 turn = glm::rotate(glm::dmat4(1.0), 0.61, {0.2, 0.9, 0.5});
@@ -72,7 +73,7 @@ TEST(LargestPlanes, TellRoundingFromSteps) {
     EXPECT_NEAR(planes[0].area, planes[1].area, 1e-4);
 }
 
-// What is smaller than the tolerance lies near many planes, and in none that it stands on.
+// Triangles smaller than the tolerance are near many planes, and define none.
 TEST(LargestPlanes, TinyAndDegenerateTriangles) {
     SceneBuilder builder = SceneBuilder().floor(5);
     builder.triangle({0, 0, 0}, {1e-6f, 0, 0}, {0, 1e-6f, 0});      // stands

@@ -1,5 +1,5 @@
-// What is said of shadow maps where they were published, tried one by one: docs/shadow-maps.md has
-// the list, with what came out.
+// Published claims about shadow maps, tested one by one: docs/shadow-maps.md lists them with the
+// results.
 
 #include "tests/support/map_pictures.hpp"
 
@@ -20,13 +20,13 @@ constexpr double degrees = 45.0;
 const Camera corner{{5, 4, 6}, {0, 0.5, 0}, 50.0};
 const Light slanted = sun({0.5, 1, -0.3}), overhead = sun({0, 1, 0});
 
-/// Percent wrong, of all that has to be so many texels.
+/// Percentage of wrong pixels, for a map of this many texels.
 double wrongOf(const Scene& scene, const Camera& camera, const Light& light, MapKind kind, int size,
                WarpGrid grid = WarpGrid::rectilinear) {
     return wrongIn(scene, camera, light, maps(kind, MapFilter::compare, 1, size, grid));
 }
 
-// A large floor with a small thing on it, seen from near: most of one map's texels are elsewhere.
+// A large floor with a small object, seen from close by: most texels of a single map are elsewhere.
 TEST(CascadedMaps, AreFinerThanOneMapOfAsManyBytes) {
     const Scene scene = SceneBuilder().floor(100).box({-1, 0.5f, -1}, {1, 2, 1}).scene();
     const double one = wrongOf(scene, corner, slanted, MapKind::cube, 512);
@@ -35,7 +35,7 @@ TEST(CascadedMaps, AreFinerThanOneMapOfAsManyBytes) {
     EXPECT_LT(four, 0.3 * one);
 }
 
-// Rosen 2012: texels go where something is seen.
+// Rosen 2012: texels go to the visible parts.
 TEST(WarpedMaps, AreFinerThanOneMapOfAsManyTexels) {
     const Scene scene = SceneBuilder().floor(100).box({-1, 0.5f, -1}, {1, 2, 1}).scene();
     const double one = wrongOf(scene, corner, slanted, MapKind::cube, 512);
@@ -46,8 +46,8 @@ TEST(WarpedMaps, AreFinerThanOneMapOfAsManyTexels) {
     }
 }
 
-/// Posts along a diagonal of the light's axes, seen from above: what is important in a row is not
-/// so in the next one.
+/// Posts along a diagonal of the light's axes, seen from above: the important part differs from row
+/// to row.
 Scene diagonalPosts() {
     SceneBuilder builder = SceneBuilder().floor(40);
     for (int i = -12; i <= 12; ++i) {
@@ -58,7 +58,7 @@ Scene diagonalPosts() {
 }
 const Camera alongDiagonal{{14, 3, 14}, {0, 0, 0}, 25.0};
 
-// Milet et al. 2015: rows and columns that warp by themselves leave no texels to what is beside a
+// Milet et al. 2015: rows and columns that are warped independently leave few texels beside a
 // diagonal.
 TEST(WarpedMaps, ANonOrthogonalGridIsFinerAlongADiagonal) {
     const Scene scene = diagonalPosts();
@@ -70,8 +70,8 @@ TEST(WarpedMaps, ANonOrthogonalGridIsFinerAlongADiagonal) {
     EXPECT_LT(free, 0.9 * rectilinear);
 }
 
-// Rosen and Milet tessellate, since straight edges aren't straight in a warped map. Cut along the
-// warp's lines, a beam of twelve triangles casts as one of many does.
+// Rosen and Milet tessellate, since straight edges are curved in a warped map. Cut along the warp's
+// lines, a beam of twelve triangles casts the same shadow as one of many.
 TEST(WarpedMaps, LongTrianglesCastAsShortOnesDo) {
     const Camera camera{{3, 4, 9}, {0, 0, 0}, 50.0};
     SceneBuilder coarse = SceneBuilder().floor(60);
@@ -91,7 +91,7 @@ TEST(WarpedMaps, LongTrianglesCastAsShortOnesDo) {
     }
 }
 
-// Between a paraboloid's vertices edges are straight in the map, and curved in the world.
+// Between vertices a paraboloid's edges are straight in the map, but curved in the world.
 TEST(Paraboloid, IsWrongOnCoarseTriangles) {
     const RenderSettings settings = maps(MapKind::paraboloid, MapFilter::compare, 1, 1024);
     SceneBuilder builder = SceneBuilder().floor(9);
@@ -109,7 +109,7 @@ TEST(Paraboloid, IsWrongOnCoarseTriangles) {
     EXPECT_GT(coarse, 3.0 * split);
 }
 
-// Reeves et al. 1987: edges become as wide as the kernel.
+// Reeves et al. 1987: edges become as wide as the filter kernel.
 TEST(Pcf, WidensEdgesWithItsKernel) {
     const Scene scene = SceneBuilder().floor(4).box({-1, 1, -1}, {1, 2, 1}).scene();
     const Camera above{{0, 20, 0}, {0, 0, 0}, 20.0};
@@ -123,7 +123,7 @@ TEST(Pcf, WidensEdgesWithItsKernel) {
     }
 }
 
-/// A floor wholly in the shadow of a low board, and a high board whose edge runs over it.
+/// A floor completely in the shadow of a low board, and a high board whose edge crosses it.
 Scene edgeOverBoard() {
     return SceneBuilder()
         .floor(6)
@@ -141,7 +141,7 @@ double leakUnderEdge(MapFilter filter, std::optional<float> bleeding = {}) {
     return leak;
 }
 
-// Donnelly and Lauritzen 2006: where depths of two casters mix, the bound is loose.
+// Donnelly and Lauritzen 2006: where the depths of two casters mix, the bound is loose.
 TEST(Vsm, BleedsWhereAnEdgeRunsOverAnotherCaster) {
     EXPECT_LT(leakUnderEdge(MapFilter::compare), 0.001);
     EXPECT_GT(leakUnderEdge(MapFilter::variance, 0.0f), 0.3);
@@ -155,13 +155,14 @@ TEST(Vsm, BleedsLessWhereSomeOfTheLightIsTakenForIt) {
     EXPECT_LT(leakUnderEdge(MapFilter::variance, 0.6f), 0.05);
 }
 
-// Peters and Klein 2015: four moments tell two casters apart.
+// Peters and Klein 2015: four moments distinguish two casters.
 TEST(Msm, BleedsLessThanVsm) {
     const double two = leakUnderEdge(MapFilter::variance, 0.0f);
     EXPECT_LT(leakUnderEdge(MapFilter::moments, 0.0f), 0.2 * two);
 }
 
-/// Under a board half a unit above a floor, in a map that is as deep as a post beside it is high.
+/// Leak under a board half a unit above a floor, in a map as deep as the height of a post beside
+/// it.
 double leakUnderBoard(float deep, MapFilter filter) {
     const Scene scene = SceneBuilder()
                             .floor(6)
@@ -174,15 +175,15 @@ double leakUnderBoard(float deep, MapFilter filter) {
     return leak;
 }
 
-// Annen et al. 2008: shadow falls off with the distance behind the caster, as a share of the map's
-// depth, not at once.
+// Annen et al. 2008: shadow fades in with the distance behind the caster, as a share of the map's
+// depth.
 TEST(Esm, LeaksWhereCastersAreNearWhatTheyShade) {
     EXPECT_GT(leakUnderBoard(40, MapFilter::exponential), 0.2);
     EXPECT_LT(leakUnderBoard(40, MapFilter::compare), 0.001);
     EXPECT_LT(leakUnderBoard(3, MapFilter::exponential), 0.001);
 }
 
-// But not where an edge runs over another caster, if that is far enough away.
+// But not where an edge crosses another caster that is far enough away.
 TEST(Esm, DoesNotBleedWhereVsmDoes) {
     EXPECT_LT(leakUnderEdge(MapFilter::exponential), 0.01);
 }

@@ -1,5 +1,5 @@
-// Cascades, paraboloids, warps and filters of shadow maps against ray casting: close, as the plain
-// maps are, and wrong where their authors say that they are.
+// Cascades, paraboloids, warps and filters of shadow maps against ray casting: as close as plain
+// maps, and wrong where their authors say so.
 
 #include "preprocess/base/error.hpp"
 #include "tests/support/map_pictures.hpp"
@@ -65,7 +65,7 @@ TEST_P(MapKinds, BoxOverFloorIsNearlyRight) {
     EXPECT_LT(wrong, 0.3);
 }
 
-// Where the parts of a map meet nothing is dark that shouldn't be.
+// No false shadow where the parts of a map meet.
 TEST_P(MapKinds, NothingShadesItself) {
     const Scene floor = SceneBuilder().floor(8, -1).scene();
     for (const Camera& camera :
@@ -87,7 +87,7 @@ TEST_P(MapKinds, LightInsideAClosedBoxLightsNothingOutside) {
 TEST_P(MapKinds, MirroredStretchedAndFarFromTheOrigin) {
     const glm::dvec3 far(4e6, 123.0, -5e6);
     const glm::dmat4 placed = glm::scale(glm::translate(glm::dmat4(1.0), far), {-1.3, 0.8, 1.1});
-    const Scene scene = boxOverTiles(placed); // paraboloids bend edges of large triangles
+    const Scene scene = boxOverTiles(placed); // paraboloids bend the edges of large triangles
     const Camera camera{corner.from + far, corner.to + far, corner.fovDegrees};
     EXPECT_LT(wrongIn(scene, camera, pointLight(glm::dvec3(1.7, 4, 0.7) + far), settings()), 1.5);
     EXPECT_LT(wrongIn(scene, camera, sun({0.5, 1, -0.3}), settings()), 1.5);
@@ -131,8 +131,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Kind{"paraboloidPoisson", MapKind::paraboloid, MapFilter::poisson, 5}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
-// Everything else is above: a sun's map is as large as what casts, not as a box around it in the
-// world.
+// Everything else is above: a sun's map covers the casters, not a box around them in the world.
 TEST(SunMap, IsFittedToCastersInTheLightsOwnAxes) {
     SceneBuilder builder = SceneBuilder().box({-1, 0.5f, -1}, {1, 2, 1});
     builder.floor(3);
@@ -141,8 +140,8 @@ TEST(SunMap, IsFittedToCastersInTheLightsOwnAxes) {
     EXPECT_LT(wrongIn(scene, corner, sun({1, 1.5, 1}), maps(MapKind::cube)), 0.2);
 }
 
-/// A floor, a board that hides it from the sun, and one just above the floor, beneath the edge of
-/// which light gets through where the map can't tell.
+/// A floor, a board that hides it from the sun, and one just above the floor, under whose edge
+/// light leaks where the map can't resolve it.
 Scene boards() {
     return SceneBuilder()
         .floor(6)

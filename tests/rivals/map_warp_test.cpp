@@ -8,7 +8,7 @@ namespace {
 
 constexpr int cells = MapWarp::cells;
 
-/// Places around a point, denser towards it, and some everywhere.
+/// Places around a point, denser close to it, and some everywhere.
 std::vector<glm::dvec2> placesAround(const glm::dvec2& middle) {
     std::vector<glm::dvec2> places;
     for (int i = 0; i < 60; ++i)
@@ -31,7 +31,7 @@ std::vector<glm::dvec2> diagonalPlaces() {
     return places;
 }
 
-/// Four spots, of which neighbouring rows and columns see others.
+/// Four spots that different rows and columns see.
 std::vector<glm::dvec2> spots() {
     std::vector<glm::dvec2> places;
     for (int i = 0; i < 1000; ++i)
@@ -41,7 +41,7 @@ std::vector<glm::dvec2> spots() {
     return places;
 }
 
-/// Twice the areas of a cell's halves in the texture.
+/// Twice the areas of a cell's two halves in the texture.
 glm::dvec2 areasOf(const MapWarp& warp, int x, int y) {
     const glm::dvec2 first = warp.node(x, y), across = warp.node(x + 1, y + 1) - first;
     const glm::dvec2 right = warp.node(x + 1, y) - first, up = warp.node(x, y + 1) - first;
@@ -95,7 +95,7 @@ TEST_P(Warps, CutCastersIntoAllOfThem) {
         const glm::dvec3 &a = pieces[i].weights, &b = pieces[i + 1].weights;
         const glm::dvec3& c = pieces[i + 2].weights;
         area += glm::dot(glm::cross(a, b), c);
-        // What is in the middle of a piece is where all of it says that it is.
+        // All of a piece agrees on the position of its middle.
         std::vector<WarpedCorner> point;
         const glm::dvec3 weights = (a + b + c) / 3.0;
         const glm::dvec3 at = weights.x * caster[0] + weights.y * caster[1] + weights.z * caster[2];
@@ -125,7 +125,7 @@ INSTANTIATE_TEST_SUITE_P(, Warps, testing::Values(WarpGrid::rectilinear, WarpGri
                                                     : "nonOrthogonal");
                          });
 
-// A column of a rectilinear grid is one for all rows; of the other, each row has its own.
+// A rectilinear grid shares its columns between rows; in the other grid each row has its own.
 TEST(NonOrthogonalWarp, SpendsLessBesideADiagonal) {
     const auto shareOnDiagonal = [](WarpGrid grid) {
         const MapWarp warp = mapWarp(grid, diagonalPlaces(), 0.0);

@@ -1,5 +1,5 @@
-// Shadows projected onto planes against ray casting: right on the planes, and elsewhere nothing but
-// surfaces turned away from the light.
+// Shadows projected onto planes against ray casting: right on the planes, and elsewhere only
+// surfaces turned away from the light are dark.
 
 #include "tests/support/brute_force.hpp"
 #include "tests/support/headless.hpp"
@@ -26,7 +26,7 @@ Material colored(const glm::vec3& color) {
 const Material red = colored({1, 0, 0}), blue = colored({0, 0, 1});
 
 struct PlanarCase {
-    Scene scene; ///< what is red is on the planes
+    Scene scene; ///< red surfaces are on the planes
     Camera camera;
     Light light;
     std::size_t planes = 1;
@@ -49,10 +49,10 @@ struct PlanarCase {
 
 struct Counted {
     int onPlanes = 0, dark = 0, wrong = 0, wrongBeyondOnePixel = 0; ///< on planes
-    int others = 0, othersWrong = 0; ///< against what they are by themselves
+    int others = 0, othersWrong = 0; ///< compared with the mask of these surfaces alone
 };
 
-/// `alone`: the scene of what is not on planes, by itself.
+/// `alone`: a scene with only the surfaces that are not on planes.
 Counted compare(const PlanarCase& test, const Scene& alone) {
     const auto mask = test.draw(ShadowMethod::planar, true);
     const auto colors = test.draw(ShadowMethod::none, false);
@@ -113,8 +113,8 @@ TEST(PlanarShadows, StandingOnTheFloorAndThroughIt) {
             expectRight({floorAnd({-1, y, -1}, {1, 1.2f, 1}).scene(), corner, light});
 }
 
-// What is above the lamp, at its height or below the floor casts nothing onto the floor; what
-// crosses its height casts a part of itself.
+// Casters above the lamp, at its height or below the floor cast nothing onto the floor; a caster
+// that crosses the lamp's height casts with the part below.
 TEST(PlanarShadows, LampBetweenCastersAndPlane) {
     const Light lamp = pointLight({0.3, 1.5, 0.2});
     expectRight({floorAnd({-1, 2, -1}, {1, 3, 1}).scene(), corner, lamp}, SceneBuilder().scene(),
@@ -125,7 +125,7 @@ TEST(PlanarShadows, LampBetweenCastersAndPlane) {
     expectRight({floorAnd({-1.5f, 0.5f, -1}, {-0.5f, 1.5f, 1}).scene(), corner, lamp});
 }
 
-// From behind the eye, from ahead, with the eye in shadow.
+// Light from behind the eye, from ahead, and with the eye in shadow.
 TEST(PlanarShadows, EyeInShadow) {
     const Scene scene = floorAnd({-3, 3, -3}, {3, 3.2f, 3}).scene();
     for (const Light& light :
@@ -141,12 +141,12 @@ TEST(PlanarShadows, TheSideTurnedAwayIsDark) {
     EXPECT_GT(away.onPlanes, 500);
     EXPECT_EQ(away.dark, away.onPlanes);
     expectRight({scene, below, sun({0.2, -1, 0.3})});
-    // In the plane itself nothing is lit.
+    // Light in the plane itself lights nothing.
     const Counted grazed = compare({scene, corner, sun({1, 0, 0.3})}, SceneBuilder().scene());
     EXPECT_EQ(grazed.dark, grazed.onPlanes);
 }
 
-// A floor and a wall, one or both of which are planes that there are.
+// A floor and a wall, of which one or both are used as planes.
 TEST(PlanarShadows, SeveralPlanesAndNoMoreThanAskedFor) {
     const auto room = [](const Material& wall) {
         return SceneBuilder()
@@ -161,14 +161,14 @@ TEST(PlanarShadows, SeveralPlanesAndNoMoreThanAskedFor) {
     const Camera camera{{5, 4, 8}, {0, 1, -2}, 60.0};
     for (const Light& light : {pointLight({1, 2.5, 5}), sun({0.2, 0.5, 1})}) {
         expectRight({room(red), camera, light, 2});
-        // Without it the wall is as if it were alone.
+        // Without its plane the wall looks as if it were alone.
         const Scene wall =
             SceneBuilder().quad({-4, 0, -4}, {4, 0, -4}, {4, 5, -4}, {-4, 5, -4}).scene();
         const Counted floorAlone = compare({room(blue), camera, light, 1}, wall);
         EXPECT_EQ(floorAlone.wrongBeyondOnePixel, 0);
         EXPECT_GT(floorAlone.others, 500);
         EXPECT_LT(floorAlone.othersWrong,
-                  500); // the box's sides, which the wall's answers aren't of
+                  500); // the box's sides, which differ from the wall alone
     }
 }
 
@@ -203,7 +203,7 @@ TEST(PlanarShadows, OrthographicPictures) {
     }
 }
 
-// BLEND surfaces don't cast unless they are asked to.
+// BLEND surfaces cast only if the settings say so.
 TEST(PlanarShadows, SeeThroughCasters) {
     Material blend;
     blend.alphaMode = AlphaMode::blend;
@@ -219,7 +219,7 @@ TEST(PlanarShadows, SeeThroughCasters) {
     expectRight(test);
 }
 
-// In colours shadow is darkened once, where two casters overlap as where one casts.
+// In colours shadow is darkened once, where two casters overlap as well as where one casts.
 TEST(PlanarShadows, DarkenOnce) {
     const Scene scene = SceneBuilder()
                             .floor(6)
@@ -238,7 +238,7 @@ TEST(PlanarShadows, DarkenOnce) {
     int differ = 0;
     for (std::size_t i = 0; i < mask.size(); i += 4)
         differ += std::abs(pictures[0][i] - pictures[1][i]) > 2;
-    EXPECT_LT(differ, width * height / 100); // the lower box's top, which is no plane
+    EXPECT_LT(differ, width * height / 100); // the lower box's top, which isn't one of the planes
 }
 
 } // namespace

@@ -1,5 +1,4 @@
-// Linked into every program of the asan preset: what the sanitizers have to know, wherever it is
-// run.
+// Linked into every program of the asan preset: the sanitizers' options, wherever a program runs.
 
 extern "C" {
 
@@ -8,15 +7,15 @@ const char* __asan_default_options();
 const char* __lsan_default_options();
 const char* __lsan_default_suppressions();
 
-/// Drivers stay loaded to the end, so that the leak checker can tell by their names what is theirs.
+/// Keeps drivers loaded to the end, so that the leak checker can recognise their leaks by name.
 int dlclose(void*) {
     return 0;
 }
 
-/// GCC 12's runtime takes 16 bytes past a page for the header of glibc 2.19's thread-local storage,
-/// reads a size there that isn't one, and the leak checker then scans memory that isn't there
-/// ("Tracer caught signal 11"). Behind red zones of 256 bytes every block begins at a multiple
-/// of 64. What nothing was written to is filled with ones, which suit hardly any reader.
+/// GCC 12's runtime mistakes 16 bytes past a page for the header of glibc 2.19's thread-local
+/// storage and reads an invalid size there; the leak checker then scans unmapped memory ("Tracer
+/// caught signal 11"). Behind red zones of 256 bytes every block begins at a multiple of 64.
+/// Unwritten memory is filled with ones, which few readers accept.
 const char* __asan_default_options() {
     return "redzone=256:max_malloc_fill_size=65536:malloc_fill_byte=255";
 }
@@ -25,7 +24,7 @@ const char* __lsan_default_options() {
     return "print_suppressions=0";
 }
 
-/// Not the program's: what Mesa, LLVM and fontconfig keep for themselves.
+/// Not the program's leaks: memory that Mesa, LLVM and fontconfig keep for themselves.
 const char* __lsan_default_suppressions() {
     return "leak:swrast_dri.so\n"
            "leak:libgallium\n"

@@ -1,5 +1,5 @@
-// The program under valgrind: nothing is read or written that isn't the program's, nothing
-// undefined decides anything, nothing is lost. valgrind.supp lists what is let pass, and why.
+// The program under valgrind: it reads and writes only its own memory, no undefined value decides
+// anything, nothing leaks. valgrind.supp lists the exceptions with reasons.
 #include "tests/support/child_process.hpp"
 #include "tests/support/packing.hpp"
 #include "tests/support/temp_folder.hpp"
@@ -11,10 +11,10 @@
 namespace edgeshade::test {
 namespace {
 
-/// Exit status of valgrind where it has found something.
+/// valgrind's exit status if it has found something.
 constexpr int found = 99;
 
-/// valgrind's path; nothing where it is not installed.
+/// valgrind's path; empty if it is not installed.
 std::string valgrind() {
     for (const char* path : {"/usr/bin/valgrind", "/usr/local/bin/valgrind"})
         if (std::filesystem::exists(path)) return path;
@@ -37,7 +37,7 @@ class Valgrind : public testing::Test {
                                         "--leak-check=full",
                                         "--show-leak-kinds=definite",
                                         "--errors-for-leak-kinds=definite",
-                                        "--keep-debuginfo=yes", // Mesa's driver is unloaded
+                                        "--keep-debuginfo=yes", // Mesa's driver gets unloaded
                                         "--suppressions=" EDGESHADE_SUPPRESSIONS,
                                         EDGESHADE_PROGRAM};
         all.insert(all.end(), arguments.begin(), arguments.end());

@@ -6,7 +6,7 @@
 
 namespace edgeshade::test {
 
-/// Memory of this process that is in use, in bytes.
+/// Resident memory of this process, in bytes.
 inline std::size_t residentBytes() {
     std::ifstream file("/proc/self/statm");
     std::size_t all = 0, resident = 0;

@@ -1,4 +1,4 @@
-// Long runs: memory stays where it was.
+// Long runs: memory must not grow.
 #include "memory.hpp"
 #include "src/bench/flythrough.hpp"
 #include "src/gl/headless_context.hpp"
@@ -20,11 +20,11 @@ namespace {
 
 constexpr int width = 96, height = 64;
 
-/// Growth that passes for flat: what allocators and a GL's caches move about.
+/// Growth that counts as flat: changes inside allocators and a GL's caches.
 constexpr double flatMegabytes = 8.0;
 
-/// Runs `step` so many times, prints the memory ten times on the way and expects it to stay where
-/// it was in the first two tenths.
+/// Runs `step` this many times, prints the memory ten times meanwhile and expects it to stay at the
+/// level of the first two tenths.
 template <class Step>
 void expectFlat(const char* what, int times, Step step) {
     std::size_t early = 0, most = 0;
@@ -40,7 +40,7 @@ void expectFlat(const char* what, int times, Step step) {
     EXPECT_LT(megabytes(most) - megabytes(early), flatMegabytes) << what;
 }
 
-/// A flight through a yard with a lamp that moves and a sun that rests, volumes and maps in turn.
+/// A flight through a yard with a moving lamp and a resting sun, alternately with volumes and maps.
 TEST(Soak, TwentyThousandFrames) {
     const gl::HeadlessContext context(testPicture(width, height));
     const Scene scene = yard().scene();
@@ -110,7 +110,7 @@ Shape hills(std::uint32_t side) {
     return shape;
 }
 
-/// The program itself, so that the figure is its own.
+/// Runs the program itself, so that the memory is its own.
 TEST(Soak, FiveMillionTrianglesUnderFourGigabytes) {
     constexpr std::size_t most = std::size_t{4} << 30;
     const TempFolder folder;

@@ -12,7 +12,7 @@ Instant at(const char* text) {
     return localTimeFromText(text).instant;
 }
 
-/// The day of that text's clock.
+/// The crossings of that day, by the text's clock.
 std::vector<Crossing> crossingsOn(const Place& place, const char* day,
                                   const Horizon& horizon = lightHorizon) {
     const Instant start = startOfDay(localTimeFromText(day));
@@ -28,8 +28,8 @@ const Place tromso{69.65, 18.96};
 
 } // namespace
 
-// The example of NREL's algorithm says 06:12:43 and 17:20:19 in Golden, of the day in UTC, in which
-// the evening before is the sunset.
+// NREL's example gives 06:12:43 and 17:20:19 in Golden. In UTC this day's sunset is the one of the
+// evening before.
 TEST(SunDay, SunriseAndSunsetAreThosePublished) {
     const auto found = crossings({39.742476, -105.1786}, at("2003-10-17T00:00Z"),
                                  at("2003-10-18T00:00Z"), almanacHorizon);
@@ -66,7 +66,7 @@ TEST(SunDay, ThePolarNightHasNoSunrise) {
     EXPECT_FALSE(sunPosition(longyearbyen, at("2026-12-21T12:00+01:00")).isUp());
 }
 
-// As day and night part: the sun turns just past the horizon, for less time than a step takes.
+// Where day and night are shortest: the sun turns just past the horizon, for less than one step.
 TEST(SunDay, TheShortestDaysAndNightsAreFound) {
     int shortest = 24 * 60, days = 0, short_ = 0;
     for (Instant start = at("2026-05-10T00:00+01:00"); start < at("2026-05-25T00:00+01:00");
@@ -88,7 +88,7 @@ TEST(SunDay, TheShortestDaysAndNightsAreFound) {
     EXPECT_GE(days, 15 * 100);
 }
 
-// The crossings of every day of a year at the polar circle, against a look at every 20 seconds.
+// The crossings of every day of a year at the polar circle, against checks every 20 seconds.
 TEST(SunDay, CrossingsAreThoseSeenSecondBySecond) {
     const Place circle{65.75, 25.0};
     for (Instant start = at("2026-06-05T00:00+02:00"); start < at("2026-06-14T00:00+02:00");
@@ -105,7 +105,7 @@ TEST(SunDay, CrossingsAreThoseSeenSecondBySecond) {
 }
 
 TEST(SunDay, AMidnightWithinTheDayPartsItsPath) {
-    // Hawaii's day by a clock that is 12 hours off.
+    // Hawaii's day on a clock that is 12 hours off.
     const auto paths = pathsOn({20.0, -156.0}, "2026-03-20T12:00+02:00");
     ASSERT_EQ(paths.size(), 2u);
     EXPECT_EQ(paths[0].front().time, at("2026-03-20T00:00+02:00"));

@@ -19,9 +19,10 @@ Instant at(const char* text) {
     return localTimeFromText(text).instant;
 }
 
-constexpr double enough = 0.01; ///< degrees: what planners need, 1/50 of the sun's disc
+constexpr double enough = 0.01; ///< degrees: the accuracy that planners need, 1/50 of the sun's
+                                ///< disc
 
-/// The largest angle to a judge over so many random places and times.
+/// The largest angle to a judge over this many random places and times.
 double farthest(Judgement (*judge)(const Place&, Instant), int count) {
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> latitude(-90.0, 90.0), longitude(-180.0, 180.0);
@@ -82,7 +83,7 @@ TEST(Ephemeris, BothSidesOfTheDateLineAreOnePlace) {
     const auto west = sunPosition({-16.8, -180.0}, time);
     EXPECT_NEAR(east.azimuth, west.azimuth, 1e-9);
     EXPECT_NEAR(east.altitude, west.altitude, 1e-9);
-    // The same moment on the other side's clocks, which show the day before.
+    // The same moment on clocks on the other side, which show the day before.
     EXPECT_EQ(at("2026-03-19T09:00-12:00"), time);
 }
 
@@ -90,7 +91,7 @@ TEST(Ephemeris, AtThePolesTheAltitudeIsTheDeclination) {
     const Instant solstice = at("2026-06-21T08:25Z");
     EXPECT_NEAR(sunPosition({90.0, 0.0}, solstice).airlessAltitude, 23.436, 0.005);
     EXPECT_NEAR(sunPosition({-90.0, 0.0}, solstice).airlessAltitude, -23.441, 0.005);
-    // There every direction is south; azimuths are those of the longitude that was typed.
+    // At the pole every direction is south; azimuths refer to the longitude that was given.
     const auto noon = sunPosition({90.0, 0.0}, at("2026-06-21T12:02Z"));
     EXPECT_NEAR(noon.azimuth, 180.0, 0.5);
 }
@@ -100,7 +101,7 @@ TEST(Ephemeris, AzimuthsGoFromNorthByEast) {
     EXPECT_NEAR(sunPosition(equator, at("2026-03-20T07:00Z")).azimuth, 90.0, 1.0);
     EXPECT_NEAR(sunPosition(equator, at("2026-03-20T17:00Z")).azimuth, 270.0, 1.0);
     EXPECT_GT(sunPosition(equator, at("2026-03-20T12:07Z")).altitude, 89.0);
-    // In the south it stands in the north at noon, and goes to the left.
+    // In the south the sun is in the north at noon, and moves to the left.
     const Place sydney{-33.87, 151.21};
     EXPECT_LT(sunPosition(sydney, at("2026-12-21T11:00+11:00")).azimuth, 90.0);
     EXPECT_GT(sunPosition(sydney, at("2026-12-21T15:00+11:00")).azimuth, 270.0);

@@ -71,7 +71,7 @@ Judgement libnova(const sun::Place& place, sun::Instant time) {
     ln_get_hrz_from_equ_sidereal_time(&ofDate, &observer, ln_get_mean_sidereal_time(day),
                                       &horizontal);
     const double parallax = 8.794 / 3600.0 * std::cos(glm::radians(horizontal.alt));
-    // It counts from the south.
+    // libnova counts from the south.
     return {std::fmod(horizontal.az + 180.0, 360.0), horizontal.alt - parallax};
 }
 

@@ -8,8 +8,8 @@ namespace edgeshade::test {
 
 using sun::refraction;
 
-// 34' lift the sun to the horizon. Above, Bennett's formula (Journal of Navigation 35, 1982), which
-// starts from the refracted altitude, leads back.
+// Refraction of 34' lifts the sun to the horizon. Above it, Bennett's formula (Journal of
+// Navigation 35, 1982), which starts from the refracted altitude, gives the airless altitude back.
 TEST(Refraction, IsThatOfTheStandardAtmosphere) {
     EXPECT_NEAR(refraction(-34.0 / 60.0, {}) * 60.0, 34.0, 0.5);
     for (double altitude = 0.0; altitude < 89.0; altitude += 0.5) {

@@ -9,10 +9,10 @@ struct WorldTriangle {
     glm::dvec3 a, b, c;
     bool casts;
     bool visible;
-    bool frontAlone; ///< seen from its front alone
-    bool mirrored;   ///< what places it turns its winding over
+    bool frontAlone; ///< visible only from its front
+    bool mirrored;   ///< its placement reverses its winding
 
-    /// Whether a ray along the direction meets its back, which nobody sees.
+    /// Whether a ray along the direction meets its back, which is invisible.
     bool isCulled(const glm::dvec3& direction) const {
         const double along = glm::dot(glm::cross(b - a, c - a), direction);
         return frontAlone && (mirrored ? along < 0.0 : along > 0.0);
@@ -78,7 +78,7 @@ bool isLit(const std::vector<WorldTriangle>& triangles, std::size_t own, const g
     return true;
 }
 
-/// By the angle from a spot's axis.
+/// Whether the point is within a spot's cone, by the angle from its axis.
 bool isInCone(const Light& light, const glm::dvec3& point) {
     if (!light.isSpot()) return true;
     const glm::dvec3 from = point - glm::dvec3(light.position), &axis = light.cone->axis;

@@ -7,12 +7,12 @@
 
 namespace edgeshade::test {
 
-/// Edges at which the sides don't fit the caps (docs/method.md, The closed chain): the
+/// Number of edges at which the sides don't fit the caps (docs/method.md, The closed chain): the
 /// multiplicities of an edge's records must sum to the signs of its triangles, each with the
 /// direction in which the sorted triangle A < B < C runs through the edge (A to B and B to C: +, A
 /// to C: -).
 ///
-/// multiplicities: one a record of buildSides(); signs: one a triangle.
+/// multiplicities: one per record of buildSides(); signs: one per triangle.
 inline std::size_t openEdges(const BatchTopology& topology, int maxMultiplicity,
                              std::span<const int> multiplicities, std::span<const int> signs) {
     std::size_t open = 0, record = 0;

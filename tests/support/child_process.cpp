@@ -14,7 +14,7 @@
 namespace edgeshade::test {
 namespace {
 
-/// A file without a name, closed in other children.
+/// A file without a name, closed in other child processes.
 int unnamedFile() {
     std::FILE* file = std::tmpfile();
     if (!file) throw std::runtime_error("no temporary file can be made");
@@ -46,7 +46,7 @@ ChildProcess::ChildProcess(const std::string& program, const std::vector<std::st
     if (process_ > 0) return;
     for (const auto& [name, value] : environment)
         ::setenv(name.c_str(), value.c_str(), 1);
-    ::signal(SIGINT, SIG_DFL); // what a shell starts in the background ignores it
+    ::signal(SIGINT, SIG_DFL); // processes started in a shell's background ignore it
     ::dup2(out_, STDOUT_FILENO);
     ::dup2(err_, STDERR_FILENO);
     ::execv(program.c_str(), argv.data());
@@ -68,7 +68,7 @@ void ChildProcess::send(int signal) const {
 
 ProcessResult ChildProcess::wait(double timeoutSeconds) {
 #ifdef __SANITIZE_ADDRESS__
-    timeoutSeconds *= 10.0; // what it checks takes time
+    timeoutSeconds *= 10.0; // its checks take time
 #endif
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();

@@ -8,13 +8,13 @@
 
 namespace edgeshade::test {
 
-/// How a child process ended, and what it said.
+/// How a child process ended, and its output.
 struct ProcessResult {
     int status = -1; ///< exit status; -1 if it did not exit by itself
     int signal = 0;  ///< the signal that ended it; 0: none
     bool timedOut = false;
     double seconds = 0.0;
-    std::size_t peakBytes = 0; ///< of memory
+    std::size_t peakBytes = 0; ///< peak memory
     std::string out;
     std::string err;
 };
@@ -22,7 +22,7 @@ struct ProcessResult {
 /// A running child process. Its output goes to unnamed files, so it never waits for a reader.
 class ChildProcess {
   public:
-    using Environment = std::vector<std::pair<std::string, std::string>>; ///< added to ours
+    using Environment = std::vector<std::pair<std::string, std::string>>; ///< added to the parent's
 
     ChildProcess(const std::string& program, const std::vector<std::string>& arguments,
                  const Environment& environment = {});
@@ -31,7 +31,7 @@ class ChildProcess {
     ChildProcess& operator=(const ChildProcess&) = delete;
 
     void send(int signal) const;
-    /// Waits; after `timeoutSeconds` the process is killed.
+    /// Waits for the end; after `timeoutSeconds` it kills the process.
     ProcessResult wait(double timeoutSeconds = 10.0);
 
   private:

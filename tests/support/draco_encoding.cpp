@@ -7,7 +7,7 @@
 namespace edgeshade::test {
 namespace {
 
-/// One attribute as it goes into the encoder.
+/// Adds one attribute to the encoder.
 template <class Vector>
 void addAttribute(draco::TriangleSoupMeshBuilder& builder, const Shape& shape,
                   draco::GeometryAttribute::Type type, const std::vector<Vector>& values) {

@@ -9,7 +9,7 @@ inline constexpr const char* dracoExtension = "KHR_draco_mesh_compression";
 /// A shape as a Draco stream: POSITION has id 0, NORMAL 1, TEXCOORD_0 2.
 Bytes dracoEncoded(const Shape& shape);
 
-/// A primitive that has its data in Draco alone.
+/// A primitive whose data are only in Draco.
 Json dracoPrimitive(GltfBuilder& gltf, const Shape& shape);
 
 } // namespace edgeshade::test

@@ -1,8 +1,8 @@
 #pragma once
 
-// What the shaders emit, as a chain of oriented triangles over symbolic vertices: vertex i of the
-// mesh, or its point at infinity (docs/method.md, The closed chain). Positions serve the signs
-// alone, so nothing here depends on rounding but the signs themselves.
+// The shaders' output as a chain of oriented triangles over symbolic vertices: vertex i of the
+// mesh, or its point at infinity (docs/method.md, The closed chain). Positions only determine the
+// signs, so that rounding affects nothing else.
 
 #include "preprocess/volumes/published/caps_data.hpp"
 #include "preprocess/volumes/published/sides_data.hpp"
@@ -33,7 +33,7 @@ class Chain {
         addEdge(r, p);
     }
 
-    /// Whether every directed edge is cancelled by as many of its reverse.
+    /// Whether every directed edge is cancelled by an equal number of its reverse.
     bool isCycle() const {
         return std::all_of(directed_.begin(), directed_.end(), [](int sum) { return sum == 0; });
     }
@@ -57,7 +57,7 @@ inline std::size_t indexOf(std::span<const glm::vec3> sortedPositions, const glm
     return static_cast<std::size_t>(found - sortedPositions.begin());
 }
 
-/// sides.vert's main(), its not instanced form: nothing for a useless vertex.
+/// The main() of sides.vert, not instanced; empty for an unused vertex.
 template <class Method>
 std::optional<ChainVertex> sideVertex(std::span<const glm::vec3> positions,
                                       std::span<const glm::vec4> record, const glm::vec4& light) {
@@ -71,7 +71,7 @@ std::optional<ChainVertex> sideVertex(std::span<const glm::vec3> positions,
     return 2 * indexOf(positions, end) + (id > 1.5f ? 1 : 0);
 }
 
-/// caps.vert's main(), its not instanced form.
+/// The main() of caps.vert, not instanced.
 template <class Method>
 std::optional<ChainVertex> capVertex(std::span<const glm::vec3> positions,
                                      std::span<const glm::vec4> record, const glm::vec4& light) {
@@ -86,7 +86,8 @@ std::optional<ChainVertex> capVertex(std::span<const glm::vec3> positions,
     return 2 * indexOf(positions, p) + (front ? 0 : 1);
 }
 
-/// Runs `vertexShader` over an array of records, one a vertex, and adds the triangles that remain.
+/// Runs `vertexShader` over an array of records, one per vertex, and adds the triangles that
+/// remain.
 template <class VertexShader>
 void emit(Chain& chain, std::span<const glm::vec4> vertices, std::size_t vectorsPerVertex,
           VertexShader vertexShader) {
@@ -100,7 +101,7 @@ void emit(Chain& chain, std::span<const glm::vec4> vertices, std::size_t vectors
     }
 }
 
-/// All sides and caps of a mesh: `sides` and `caps` in their not instanced form, as the packer
+/// All sides and caps of a mesh: `sides` and `caps` in their non-instanced form, as the packer
 /// expands them.
 template <class Method>
 Chain emittedChain(std::span<const glm::vec3> positions, std::span<const glm::vec4> sides,

@@ -12,7 +12,7 @@ void addQuad(Soup& soup, std::uint32_t a, std::uint32_t b, std::uint32_t c, std:
     soup.indices.insert(soup.indices.end(), {a, b, c, a, c, d});
 }
 
-/// Rounded up; std::cbrt() differs from platform to platform.
+/// Cube root, rounded up; std::cbrt() differs between platforms.
 std::size_t cubeRoot(std::size_t number) {
     std::size_t root = 0;
     while (root * root * root < number)
@@ -75,7 +75,7 @@ Soup tangle(std::size_t triangles) {
     }
     for (std::size_t t = 0; t < triangles; ++t) {
         const int first = random.below(points);
-        for (int c = 0; c < 3; ++c) // near each other in the list, so that they share edges
+        for (int c = 0; c < 3; ++c) // close to each other in the list, so that they share edges
             soup.indices.push_back(static_cast<std::uint32_t>((first + random.below(6)) % points));
         if (t % 97 == 0) // a hub
             soup.indices.back() = 0;

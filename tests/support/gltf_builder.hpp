@@ -39,15 +39,15 @@ Bytes bytesOf(const std::vector<T>& values) {
     return bytes;
 }
 
-/// Builds glTF assets in code. Helpers append; `json` and `binary` stay open, so that a test can
-/// spell out whatever it is about.
+/// Builds glTF assets in code. Helpers append; `json` and `binary` are public, so that a test can
+/// spell out the part that it is about.
 class GltfBuilder {
   public:
     Json json = {
         {"asset", {{"version", "2.0"}}}, {"scene", 0}, {"scenes", {{{"nodes", Json::array()}}}}};
     Bytes binary; ///< buffer 0
 
-    /// Each returns the index of what it adds.
+    /// Each returns the index of the new item.
     int addView(std::span<const std::uint8_t> bytes, int byteStride = 0);
     int addAccessor(int view, int componentType, std::size_t count, const std::string& type,
                     const Json& more = Json::object());
@@ -57,7 +57,7 @@ class GltfBuilder {
     int addNode(Json node, bool isRoot = true);
     int addImage(Json image);
 
-    /// A view and an accessor of `components` values of T an element.
+    /// A view and an accessor with `components` values of T per element.
     template <class T>
     int addArray(const std::vector<T>& values, int components, const Json& more = Json::object()) {
         return addAccessor(addView(bytesOf(values)), componentTypeOf<T>,
@@ -72,20 +72,20 @@ class GltfBuilder {
         return addArray(std::vector<T>(indices.begin(), indices.end()), 1);
     }
 
-    /// A primitive with every attribute that the shape has; `more` adds or replaces keys.
+    /// A primitive with every attribute of the shape; `more` adds or replaces keys.
     Json primitiveOf(const Shape& shape, const Json& more = Json::object());
-    /// A mesh of that one primitive.
+    /// A mesh with that primitive.
     int addShape(const Shape& shape, const Json& more = Json::object());
-    /// A root node with that mesh: the briefest scene. Returns the node.
+    /// A root node with that mesh: the smallest scene. Returns the node.
     int addShapeNode(const Shape& shape, const Json& more = Json::object());
     /// An animation of a node's translation.
     void animate(int node, const std::string& path = "translation");
-    /// Names an extension as used, `required` too if need be.
+    /// Lists an extension as used, and as required unless `required` is false.
     void useExtension(const std::string& name, bool required = true);
 
     /// The asset as GLB; buffers[0].byteLength is that of `binary`.
     Bytes glb() const;
-    /// The asset as JSON text whose buffer 0 has `uri`, or a data URI if that is empty.
+    /// The asset as JSON text whose buffer 0 has `uri`, or a data URI if `uri` is empty.
     std::string gltf(const std::string& uri = "") const;
 
   private:
@@ -93,7 +93,7 @@ class GltfBuilder {
     Json jsonWithBuffer(const Json& uri) const;
 };
 
-/// An accessor's "min" and "max" of these positions.
+/// An accessor's "min" and "max" for these positions.
 Json boundsOf(const std::vector<glm::vec3>& positions);
 
 /// A data URI.
@@ -103,14 +103,14 @@ std::string dataUri(std::span<const std::uint8_t> bytes,
 /// A PNG of 2x2 pixels.
 Bytes smallPng();
 
-/// A GLB, taken apart to be tampered with.
+/// A GLB split into parts, for tampering.
 struct GlbParts {
     Json json;
     Bytes binary;
 
     explicit GlbParts(const Bytes& glb);
     Bytes glb() const;
-    /// Where accessor `accessor`'s first element lies in `binary`.
+    /// Offset of accessor `accessor`'s first element in `binary`.
     std::size_t offsetOf(int accessor) const;
 };
 

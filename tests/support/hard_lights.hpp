@@ -1,7 +1,7 @@
 #pragma once
 
-// Random triangles of every scale and shape, and lights where signs are hardest to tell: on face
-// planes, edges and vertices, a few units in the last place beside them.
+// Random triangles of every scale and shape, and lights where signs are hardest to determine: on
+// face planes, edges and vertices, and a few units in the last place beside them.
 
 #include "preprocess/mesh/weld.hpp"
 
@@ -73,7 +73,7 @@ inline glm::vec3 nudged(Random& random, glm::vec3 p) {
 
 using Corners = std::array<glm::vec3, 3>;
 
-/// Three distinct positions in ascending order: scales 1e-6 to 1e6, near the origin or far off;
+/// Three distinct positions in ascending order: scales 1e-6 to 1e6, near the origin or far away;
 /// any shape, slivers, needles, and small lattices on which collinear points are common.
 inline Corners randomTriangle(Random& random) {
     while (true) {

@@ -14,7 +14,7 @@ namespace {
 
 using Rgbe = std::array<std::uint8_t, 4>;
 
-/// A common exponent, mantissas as fractions of 256.
+/// One exponent for all channels, with mantissas as fractions of 256.
 Rgbe rgbeOf(const glm::vec3& color) {
     const float brightest = std::max({color.r, color.g, color.b});
     if (brightest < 1e-32f) return {};
@@ -25,7 +25,7 @@ Rgbe rgbeOf(const glm::vec3& color) {
             static_cast<std::uint8_t>(mantissas.b), static_cast<std::uint8_t>(exponent + 128)};
 }
 
-/// Runs of equal bytes (128 and their number), others one by one behind how many they are.
+/// Encodes runs of equal bytes (128 plus their number), and other bytes after their number.
 void appendEncoded(Bytes& file, std::span<const std::uint8_t> values) {
     while (!values.empty()) {
         const auto most = values.first(std::min<std::size_t>(values.size(), 127));

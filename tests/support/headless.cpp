@@ -41,7 +41,7 @@ gl::HeadlessContext::Request testPicture(int width, int height, int samples) {
 
 namespace {
 
-/// Records of casters that are taken for double-sided.
+/// Records of casters that are treated as double-sided.
 std::vector<std::shared_ptr<const PlanePairShadow>> uncullable(Scene scene, bool castMasked) {
     for (Material& material : scene.materials)
         material.doubleSided = true;

@@ -5,26 +5,26 @@
 
 namespace edgeshade::test {
 
-/// Environment variable under which the image tests run once more: es2-minimum.
+/// Environment variable for the repeated run of image tests: es2-minimum.
 inline constexpr const char* limitsVariable = "EDGESHADE_TEST_GL_LIMITS";
 
-/// The limits that the environment asks for.
+/// The limits that the environment sets.
 gl::Limits testLimits();
 
-/// Whether it is no hardware that draws: depths of triangles in one plane are equal then.
+/// Whether a processor draws instead of hardware: depths of triangles in one plane are equal then.
 bool drawsOnProcessor();
 
-/// Whether shaders have derivatives there, as masks of lower resolution need; not with the least
-/// that ES 2.0 guarantees.
+/// Whether shaders have derivatives, as masks of lower resolution need; not with the least that ES
+/// 2.0 guarantees.
 bool hasDerivatives();
 
-/// Whether visible points can be asked one by one there.
+/// Whether visible points can be tested one by one.
 bool canAskPoints();
 
-/// A picture for tests, with what the environment asks for.
+/// A picture for tests, with the environment's limits.
 gl::HeadlessContext::Request testPicture(int width, int height, int samples = 0);
 
-/// What a test draws.
+/// The view that a test draws.
 struct TestView {
     Camera camera;
     std::vector<Light> lights;
@@ -32,19 +32,20 @@ struct TestView {
     int height = 64;
     bool mask = false;
     DepthChoice depth{};
-    std::optional<std::vector<std::size_t>> drawnLights = {}; ///< by index; nothing: all of them
+    std::optional<std::vector<std::size_t>> drawnLights = {}; ///< indices; empty: all of them
     bool nearDiscard = true;          ///< false: front caps are never cut, which is a fault
     std::optional<Frustum> frustum{}; ///< in place of the camera's
-    SceneImages images{};             ///< of the materials' textures
-    bool culledCaps = true; ///< false: culled casters count as if they were seen, which is a fault
+    SceneImages images{};             ///< for the materials' textures
+    bool culledCaps = true; ///< false: culled casters count as if they were visible, which is a
+                            ///< fault
 
-    /// What is seen.
+    /// The frustum in use.
     Frustum seen() const {
         return frustum.value_or(frustumOf(camera, static_cast<double>(width) / height));
     }
 };
 
-/// A picture of the scene, RGBA rows top to bottom, drawn by a context of its own.
+/// A picture of the scene, RGBA rows top to bottom, drawn in its own context.
 std::vector<std::uint8_t> drawScene(const Scene& scene, const TestView& view,
                                     RenderSettings settings, bool castMasked = false);
 

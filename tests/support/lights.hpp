@@ -8,7 +8,7 @@
 
 namespace edgeshade::test {
 
-/// Lights that are hard on signs, in the mesh's space: around and inside its bounds, directional
+/// Lights with difficult signs, in the mesh's space: around and inside its bounds, directional
 /// lights, and exactly on vertices, edges and faces, the latter nudged by up to four units in the
 /// last place. The same seed gives the same lights.
 inline std::vector<glm::vec4> hardLights(const WeldedMesh& mesh, std::size_t count, unsigned seed) {

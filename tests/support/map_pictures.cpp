@@ -6,8 +6,8 @@
 namespace edgeshade::test {
 namespace {
 
-/// What of the light each pixel has, 0..1: between what volumes and what no shadows leave; -1 where
-/// that is the same.
+/// The share of the light at each pixel, 0..1: the picture over the one without shadows; -1 where
+/// the light is too weak.
 std::vector<double> lightShares(const Scene& scene, const Camera& camera, const Light& light,
                                 const RenderSettings& settings) {
     const TestView view{camera, {light}, mapWidth, mapHeight, false};

@@ -27,8 +27,8 @@ double wrongIn(const Scene& scene, const Camera& camera, const Light& light,
 
 int darkPixels(const std::vector<std::uint8_t>& mask);
 
-/// The largest share of the light that reaches a pixel of a surface that faces it and is in shadow,
-/// with all within `aside` pixels of it.
+/// The largest share of the light that reaches a pixel in shadow on a surface that faces the light,
+/// if all pixels within `aside` of it are in shadow too.
 double leakIn(const Scene& scene, const Camera& camera, const Light& light,
               const RenderSettings& settings, int aside = 8);
 

@@ -47,7 +47,7 @@ void expectNearlyRight(const Case& test, ShadowMethod method, const char* by) {
     RenderSettings settings;
     settings.shadows = method;
     const Outcome outcome = run(test, settings);
-    // Points at contacts, nearer than floats place them, may be seen on either side.
+    // At contacts closer than float precision, points may be on either side.
     EXPECT_LE(outcome.wrongBeyondOnePixel, 1) << by << ":" << outcome.where;
     EXPECT_LE(outcome.wrong, maskWidth * maskHeight / 500) << by;
 }

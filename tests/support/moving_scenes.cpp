@@ -8,7 +8,7 @@ namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 
-/// A closed capsule from one point to another with normals, whose poles are single points.
+/// A closed capsule with normals from one point to another, whose poles are single points.
 Shape capsule(const glm::vec3& from, const glm::vec3& to, float radius, int sides, int rings) {
     const glm::vec3 along = glm::normalize(to - from);
     const glm::vec3 aside = glm::normalize(
@@ -24,7 +24,7 @@ Shape capsule(const glm::vec3& from, const glm::vec3& to, float radius, int side
     };
     add(0.0f, 0.0f, 0.0f);
     for (int ring = 0; ring < rings; ++ring) {
-        // A quarter of the rings around either end, the others between them.
+        // A quarter of the rings at either end, the others between them.
         const float at = static_cast<float>(ring + 1) / static_cast<float>(rings + 1);
         const float polar = at < 0.25f   ? 2.0f * pi * at
                             : at > 0.75f ? 2.0f * pi * (at - 0.5f)
@@ -80,7 +80,7 @@ class Animator {
                                          {"target", {{"node", node}, {"path", path}}}});
     }
 
-    /// Swings around an axis (0: x) by `degrees` either way, from `phase` (of a turn) on.
+    /// Swings around an axis (0: x) by `degrees` either way, starting at `phase` (of a period).
     void swing(int node, int axis, float degrees, float phase, float seconds,
                const std::string& interpolation) {
         constexpr int keys = 8;
@@ -104,7 +104,7 @@ class Animator {
     }
 
   private:
-    /// Of the quaternion (sin h, cos h) in time.
+    /// The derivative of the quaternion (sin h, cos h) with respect to time.
     static void putTangent(std::vector<float>& values, int axis, float degrees, float turn,
                            float seconds) {
         const float most = 0.5f * glm::radians(degrees);
@@ -124,7 +124,7 @@ enum Bone { hips, chest, head, armL, handL, armR, handR, legL, footL, legR, foot
 
 struct BonePlace {
     int parent;
-    glm::vec3 at; ///< in the world as it is bound
+    glm::vec3 at; ///< in the world, in the bind pose
 };
 
 const BonePlace bones[boneCount] = {
@@ -146,7 +146,7 @@ const Limb limbs[] = {{{0, 1.0f, 0}, {0, 1.42f, 0}, 0.17f, hips, chest},
                       {{0.12f, 0.92f, 0}, {0.12f, 0.1f, 0}, 0.09f, legL, footL},
                       {{-0.12f, 0.92f, 0}, {-0.12f, 0.1f, 0}, 0.09f, legR, footR}};
 
-/// How much a point of a limb goes with its lower bone.
+/// How much a point of a limb follows its lower bone.
 float lowerShare(const Limb& limb, const glm::vec3& point) {
     const glm::vec3 along = glm::normalize(limb.to - limb.from);
     const float joint = glm::dot(bones[limb.lower].at - limb.from, along);
@@ -257,7 +257,7 @@ GltfBuilder morphingBall(int sides, int rings) {
     const int ballMesh = gltf.addMesh(primitive);
     gltf.json["meshes"][ballMesh]["weights"] = {0, 0, 0};
 
-    Shape flag; // open, and flat triangles, since it has no normals
+    Shape flag; // open, with flat triangles, since it has no normals
     std::vector<glm::vec3> waved, rolled;
     constexpr std::uint32_t columns = 10, rows = 6;
     for (std::uint32_t y = 0; y <= rows; ++y)

@@ -11,7 +11,7 @@
 
 namespace edgeshade::test {
 
-/// Edges at which the sides that `Method` gives don't fit its caps.
+/// Number of edges at which `Method`'s sides don't fit its caps.
 template <class Method>
 std::size_t openEdgesOf(const BatchTopology& topology, const BatchShadow& shadow,
                         const glm::vec4& light) {

@@ -14,7 +14,7 @@ inline constexpr Encoding everyEncoding[] = {Encoding::expanded, Encoding::index
 Bytes packed(const Bytes& asset, Encoding encoding, const CasterSettings& settings = {},
              const std::filesystem::path& path = "test.glb");
 
-/// The same with what it warns about.
+/// The same, with warnings.
 struct Packed {
     Bytes glb;
     std::vector<std::string> warnings;
@@ -23,17 +23,17 @@ Packed packedWithWarnings(const Bytes& asset, Encoding encoding,
                           const CasterSettings& settings = {},
                           const std::filesystem::path& path = "test.glb");
 
-/// The shadow data as a renderer gets them from a packed file.
+/// The shadow data that a renderer gets from a packed file.
 Shadows readBack(const Bytes& packedAsset);
 
-/// The shadow data as made from an asset that isn't packed.
+/// The shadow data built from an asset that isn't packed.
 Shadows built(const Bytes& asset, const CasterSettings& settings = {});
 
-/// Expects equal numbers of batches, groups and records, and the same bits in the records.
+/// Expects equal numbers of batches, groups and records, and identical bits in the records.
 void expectSameShadows(const Shadows& actual, const Shadows& expected);
 
-/// A scene with everything that shadow data depend on: static and animated nodes, an edge with
-/// seven triangles, open and closed pieces, a degenerate triangle, MASK and BLEND surfaces, a batch
+/// A scene with everything that affects shadow data: static and animated nodes, an edge with seven
+/// triangles, open and closed pieces, a degenerate triangle, MASK and BLEND surfaces, a batch
 /// without casters.
 GltfBuilder variedScene();
 

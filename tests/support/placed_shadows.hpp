@@ -4,7 +4,7 @@
 
 namespace edgeshade::test {
 
-/// A scene's records, one for each batch, where the batches are.
+/// A scene's records, one set per batch, with the batches' placement.
 inline std::vector<PlacedShadow>
 placedShadows(const Scene& scene,
               const std::vector<std::shared_ptr<const PlanePairShadow>>& shadows) {

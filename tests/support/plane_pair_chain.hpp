@@ -1,7 +1,7 @@
 #pragma once
 
-// What the shaders emit for plane-pair records, as a chain over symbolic vertices;
-// emitted_chain.hpp does the same for published ones.
+// The shaders' output for plane-pair records, as a chain over symbolic vertices; emitted_chain.hpp
+// does the same for published ones.
 
 #include "preprocess/mesh/components.hpp"
 #include "preprocess/volumes/plane_pair_data.hpp"
@@ -12,7 +12,8 @@
 
 namespace edgeshade::test {
 
-/// Every triangle counts, or those that face the light alone: u_counted of the shaders.
+/// Values of the shaders' u_counted: every triangle counts, or only those that face the light, or
+/// away.
 inline const glm::vec2 countAll(-1.0f, 1.0f), countLightFacing(0.0f, 1.0f),
     countFacingAway(-1.0f, 0.0f);
 
@@ -77,8 +78,8 @@ inline Chain planePairChain(std::span<const glm::vec3> sortedPositions,
     return chain;
 }
 
-/// Clusters whose chains are not closed: whatever may be counted of each. Takes memory by the
-/// square of the positions.
+/// Number of clusters whose chains are not closed, for every way of counting them. Memory grows
+/// with the square of the positions.
 inline std::size_t openClusters(std::span<const glm::vec3> sortedPositions,
                                 const PlanePairShadow& shadow, const glm::vec4& light) {
     std::size_t open = 0;
@@ -91,7 +92,7 @@ inline std::size_t openClusters(std::span<const glm::vec3> sortedPositions,
     return open;
 }
 
-/// What a shader found for all records of a batch: multiplicities of pairs and of singles, facings
+/// A shader's results for all records of a batch: multiplicities of pairs and of singles, facings
 /// of caps.
 struct PlanePairSigns {
     std::vector<int> pairs, singles, caps;
@@ -109,7 +110,7 @@ inline PlanePairSigns signsOf(const PlanePairShadow& shadow, const glm::vec4& li
     return signs;
 }
 
-/// Edges at which sides don't fit caps, in time linear in the mesh.
+/// Number of edges at which sides don't fit caps, in time linear in the mesh.
 inline std::size_t openEdges(const CasterMesh& mesh, const EdgeList& edges,
                              const PlanePairShadow& shadow, const PlanePairSigns& signs) {
     std::map<std::pair<Point, Point>, int> sums;

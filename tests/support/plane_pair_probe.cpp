@@ -34,7 +34,7 @@ std::vector<int> PlanePairProbe::draw(gl::Program& program, const gl::Buffer& re
         sizeof(float) *
         static_cast<std::size_t>(std::accumulate(components.begin(), components.end(), 0));
     return points_.draw(count, [&](AttributeBinding& binding, std::size_t first) {
-        // A point has no corner.
+        // A point has no corner attribute.
         binding.add(points_.pixels(), 1, GL_FLOAT, false, sizeof(glm::vec2), 0, false);
         std::size_t offset = first * stride;
         for (const int size : components) {

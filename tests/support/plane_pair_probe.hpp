@@ -6,12 +6,12 @@
 
 namespace edgeshade::test {
 
-/// Reads back what the GL implementation computes for plane-pair records; see Probe.
+/// Reads back the results of the GL for plane-pair records; see Probe.
 class PlanePairProbe {
   public:
     PlanePairProbe();
 
-    /// Uploads a batch; signs() is about it.
+    /// Uploads a batch, for later calls of signs().
     void upload(const PlanePairShadow& shadow);
 
     PlanePairSigns signs(const glm::vec4& light, const glm::vec2& counted);

@@ -1,7 +1,7 @@
 #pragma once
 
-// The closed chain of what deforms: over the vertices that records were made for, wherever a pose
-// puts them.
+// The closed chain of deforming meshes: over the vertices of the rest pose's records, wherever a
+// pose puts them.
 
 #include "preprocess/scene/posing.hpp"
 #include "preprocess/volumes/plane_pair_data.hpp"
@@ -10,7 +10,7 @@
 
 namespace edgeshade::test {
 
-/// Edges at which sides don't fit caps. `shadow` has RecordVertices.
+/// Number of edges at which sides don't fit caps. `shadow` has RecordVertices.
 inline std::size_t openEdgesOfPose(const PlanePairShadow& shadow, const PlanePairSigns& signs) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> sums;
     const RecordVertices& vertices = *shadow.vertices;
@@ -30,8 +30,8 @@ inline std::size_t openEdgesOfPose(const PlanePairShadow& shadow, const PlanePai
         std::count_if(sums.begin(), sums.end(), [](const auto& sum) { return sum.second != 0; }));
 }
 
-/// A shape of a batch at random: at `wildness` 0 as animations may have it, at 1 torn, flattened
-/// to planes and points, and turned over.
+/// A random shape of a batch: at `wildness` 0 as animations may produce it, at 1 torn, flattened to
+/// planes and points, and turned over.
 inline BatchShape randomShape(const Batch& batch, Random& random, double wildness) {
     BatchShape shape = batch.shape;
     for (glm::dmat4& matrix : shape.batchFromMesh) {
@@ -44,7 +44,7 @@ inline BatchShape randomShape(const Batch& batch, Random& random, double wildnes
     for (auto& weights : shape.weights)
         for (double& weight : weights)
             weight = random.uniform(-1 - 8 * wildness, 1 + 8 * wildness);
-    // The target that turns inside out, by half: all is one point.
+    // Half of the target that turns it inside out: everything is one point.
     if (wildness > 0.0 && random.below(8) == 0)
         for (auto& weights : shape.weights)
             for (std::size_t w = 0; w < weights.size(); ++w)

@@ -18,7 +18,7 @@ using glm::vec3;
 using glm::vec4;
 using std::max;
 
-/// A texture of floats of so many columns.
+/// A texture of floats with this many columns.
 struct Table {
     std::vector<vec4> texels;
     int columns = 256, rows = 1;
@@ -44,7 +44,7 @@ inline vec4 texture2D(sampler2D table, const vec2& at) {
     return table->texels.at(y * static_cast<std::size_t>(table->columns) + x);
 }
 
-// The shader's literals are doubles here; what they are added to is rounded to floats all the same.
+// The shader's literals are doubles here; the results are still rounded to floats.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wfloat-conversion"
 #pragma GCC diagnostic ignored "-Wconversion"
@@ -74,7 +74,7 @@ struct Directional {
 
 namespace edgeshade::test {
 
-/// Asks a map as the shader does, in floats.
+/// Queries a map as the shader does, in floats.
 class PrimitiveLookup {
   public:
     explicit PrimitiveLookup(const PrimitiveMap& map)

@@ -8,19 +8,19 @@
 
 namespace edgeshade::test {
 
-/// Reads back the numbers that the GL implementation computes: one point a record, coloured with
-/// its multiplicity or its sign, by the programs that draw the volumes.
+/// Reads back the numbers that the GL computes: one point per record, coloured with its
+/// multiplicity or its sign, by the programs that draw the volumes.
 class Probe {
   public:
     explicit Probe(MultiplicityMethod method);
 
-    /// Uploads a batch; later calls of multiplicities() and signs() are about it.
+    /// Uploads a batch, for later calls of multiplicities() and signs().
     void upload(const BatchShadow& shadow);
 
-    /// One a record, in -5..5.
+    /// One per record, in -5..5.
     std::vector<int> multiplicities(const glm::vec4& light);
 
-    /// One a triangle, -1, 0 or 1.
+    /// One per triangle, -1, 0 or 1.
     std::vector<int> signs(const glm::vec4& light);
 
   private:

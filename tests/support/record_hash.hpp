@@ -18,7 +18,7 @@ class WordHash {
     }
     void add(float number) { add(glm::floatBitsToUint(number)); }
     void add(const Box& box) {
-        for (glm::length_t axis = 0; axis < 3; ++axis) { // of floats, all of them
+        for (glm::length_t axis = 0; axis < 3; ++axis) { // for floats: all of them
             add(static_cast<float>(box.low[axis]));
             add(static_cast<float>(box.high[axis]));
         }
@@ -27,7 +27,7 @@ class WordHash {
         add(range.first);
         add(range.count);
     }
-    /// Of records that are nothing but words.
+    /// For records that consist only of words.
     template <class Record>
     void addAll(const std::vector<Record>& records) {
         static_assert(sizeof(Record) % 4 == 0 && std::is_trivially_copyable_v<Record>);
@@ -45,7 +45,7 @@ class WordHash {
     std::uint64_t value_ = 0xCBF29CE484222325u;
 };
 
-/// Of everything that welding and finding edges make.
+/// Hash of everything that welding and edge finding produce.
 inline std::uint64_t hashOf(const WeldedMesh& mesh, const EdgeList& edges) {
     WordHash hash;
     hash.addAll(mesh.positions);
@@ -57,7 +57,7 @@ inline std::uint64_t hashOf(const WeldedMesh& mesh, const EdgeList& edges) {
     return hash.value();
 }
 
-/// Of everything that records are.
+/// Hash of all contents of records.
 inline std::uint64_t hashOf(const PlanePairShadow& shadow) {
     WordHash hash;
     hash.addAll(shadow.pairs);

@@ -1,6 +1,6 @@
 #pragma once
 
-// What sides.vert and caps.vert find for one record. `Method` is one of shader_arithmetic.hpp's.
+// Results of sides.vert and caps.vert for one record. `Method` is one of shader_arithmetic.hpp's.
 
 #include "preprocess/volumes/published/caps_data.hpp"
 #include "preprocess/volumes/published/sides_data.hpp"
@@ -45,14 +45,14 @@ inline std::span<const glm::vec4> capsRecord(const CapsData& caps, std::size_t r
 
 using Point = std::array<float, 3>;
 
-/// Edges with a multiplicity other than 0, the smaller vertex first.
+/// Edges with non-zero multiplicity, the smaller vertex first.
 using Silhouette = std::map<std::pair<Point, Point>, int>;
 
 inline Point pointOf(const glm::vec4& p) {
     return {p.x, p.y, p.z};
 }
 
-/// The silhouette that the records give; an edge's multiplicity is the sum over its records.
+/// The silhouette from the records; an edge's multiplicity is the sum over its records.
 template <class Method>
 Silhouette silhouetteOf(const SidesData& sides, const glm::vec4& light) {
     Silhouette silhouette;

@@ -6,8 +6,8 @@
 
 namespace edgeshade::test {
 
-/// glTF 2.0, appendix B, written down in double straight from the specification's formulas: what
-/// material.frag is held against.
+/// glTF 2.0, appendix B, in double, directly from the specification's formulas: the reference for
+/// material.frag.
 struct ReferenceSurface {
     glm::dvec3 baseColor{1.0}; ///< linear
     double metallic = 0.0;
@@ -18,7 +18,7 @@ struct ReferenceSurface {
     glm::dvec3 normal{0.0, 0.0, 1.0};
 };
 
-/// What the surface sends to the eye of a light whose irradiance, straight on, is pi.
+/// Light that the surface sends to the eye from a light whose irradiance at normal incidence is pi.
 inline glm::dvec3 reflectedLight(const ReferenceSurface& of, const glm::dvec3& toLight,
                                  const glm::dvec3& toEye) {
     constexpr double pi = 3.14159265358979;

@@ -1,8 +1,8 @@
 #pragma once
 
-// The shaders' own source for signs once more (see shader_arithmetic.hpp), in floats of a poorer
-// device: what GLSL ES 1.00 guarantees of highp, 16 mantissa bits and magnitudes from 2^-62 to
-// 2^62 (section 4.5.2). Every constant, input and result is rounded.
+// The shaders' own source for signs (see shader_arithmetic.hpp) in the floats of a poorer device,
+// with what GLSL ES 1.00 guarantees for highp: 16 mantissa bits and magnitudes from 2^-62 to 2^62
+// (section 4.5.2). Every constant, input and result is rounded.
 
 #include <bit>
 #include <cmath>
@@ -13,16 +13,16 @@
 
 namespace edgeshade::rounded_arithmetic {
 
-/// How a device rounds; GLSL ES 1.00 leaves it open.
+/// The device's rounding, which GLSL ES 1.00 leaves open.
 enum class Rounding { nearest, towardsZero, down };
 
 /// A number with 16 mantissa bits. Small ones become 0, large ones infinite. Sums and products are
-/// those of doubles, which hold both exactly or nearly so, then rounded.
+/// computed in double, which holds both exactly or nearly so, then rounded.
 template <Rounding rounding>
 class Number {
   public:
     Number() = default;
-    Number(double value) : value_(rounded(value)) {} // NOLINT: as GLSL's literals
+    Number(double value) : value_(rounded(value)) {} // NOLINT: implicit, like GLSL's literals
 
     double value() const { return value_; }
 

@@ -6,7 +6,7 @@
 
 namespace edgeshade::test {
 
-/// Draws scenes in code: one batch, flat normals, one material a group.
+/// Draws scenes in code: one batch, flat normals, one material per group.
 class SceneBuilder {
   public:
     SceneBuilder();
@@ -16,17 +16,17 @@ class SceneBuilder {
 
     SceneBuilder& triangle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
 
-    /// Two triangles; a, b, c, d counter-clockwise seen from outside.
+    /// Two triangles; a, b, c, d counter-clockwise as seen from outside.
     SceneBuilder& quad(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c,
                        const glm::vec3& d);
 
-    /// A closed box, outside outside.
+    /// A closed box, wound outwards.
     SceneBuilder& box(const glm::vec3& low, const glm::vec3& high);
 
     /// A square floor at height y, from -half to half, facing up.
     SceneBuilder& floor(float half, float y = 0.0f);
 
-    /// Places everything in the world.
+    /// Places the whole scene in the world.
     SceneBuilder& placedBy(const glm::dmat4& worldFromBatch);
 
     Scene scene() const { return scene_; }
@@ -38,7 +38,7 @@ class SceneBuilder {
     Scene scene_;
 };
 
-/// Boxes, a sheet and a triangle over a floor of 10 x 10: something from everywhere.
+/// Boxes, a sheet and a triangle over a floor of 10 x 10: a mixed scene.
 SceneBuilder yard();
 
 } // namespace edgeshade::test

@@ -24,17 +24,17 @@ using WorldTriangle = std::array<Corner, 3>;
 Scene sceneOf(const Bytes& asset);
 Scene sceneOf(const GltfBuilder& builder);
 
-/// Every triangle of the scene in its order.
+/// Every triangle of the scene, in order.
 std::vector<WorldTriangle> worldTriangles(const Scene& scene);
 
-/// The geometric normal, unit length: which side is the outside.
+/// The geometric normal of unit length, which points outside.
 glm::dvec3 outside(const WorldTriangle& triangle);
 
-/// The scene's warnings that contain `word`.
+/// Number of the scene's warnings that contain `word`.
 std::size_t warningsWith(const Scene& scene, const std::string& word);
 
-/// Expects the same triangles in any order, with the same orientation and attributes, a corner's
-/// numbers within `tolerance`.
+/// Expects the same triangles in any order, with the same orientation and attributes, and each
+/// corner's numbers within `tolerance`.
 void expectSameTriangles(const std::vector<WorldTriangle>& actual,
                          const std::vector<WorldTriangle>& expected, double tolerance = 0.0);
 

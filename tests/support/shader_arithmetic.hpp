@@ -1,7 +1,7 @@
 #pragma once
 
-// The shaders' own source for signs and multiplicities, compiled as C++: one struct a method.
-// Floats throughout, evaluated in the order in which GLSL spells it.
+// The shaders' own source for signs and multiplicities, compiled as C++: one struct per method. All
+// in floats, in GLSL's evaluation order.
 
 #include <glm/glm.hpp>
 

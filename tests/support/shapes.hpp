@@ -11,7 +11,7 @@ struct Shape {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
     std::vector<glm::vec2> texcoords;
-    std::vector<std::uint32_t> indices; ///< three a triangle, counter-clockwise is the outside
+    std::vector<std::uint32_t> indices; ///< three per triangle, counter-clockwise from outside
 };
 
 /// The box from -half to half: 24 vertices with normals and texture coordinates, 12 triangles.

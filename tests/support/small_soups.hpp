@@ -13,7 +13,7 @@ namespace edgeshade::test {
 
 constexpr int soupPoints = 8;
 
-/// `count` numbers in [low, high); rapidcheck's first cases are no smaller than its last.
+/// `count` numbers in [low, high), with rapidcheck's full size from the first case on.
 inline std::vector<int> integers(int count, int low, int high) {
     return *rc::gen::resize(rc::kNominalSize,
                             rc::gen::container<std::vector<int>>(static_cast<std::size_t>(count),
@@ -21,7 +21,7 @@ inline std::vector<int> integers(int count, int low, int high) {
 }
 
 /// Up to forty triangles over eight points of a small lattice: points coincide, triples are
-/// collinear, and lights lie in planes. Within a rapidcheck property.
+/// collinear, and lights lie in planes. For use within a rapidcheck property.
 inline Soup latticeSoup() {
     const auto coordinates = integers(3 * soupPoints, -2, 3);
     Soup soup;
@@ -33,18 +33,18 @@ inline Soup latticeSoup() {
     return soup;
 }
 
-/// A point or a directional light on the same lattice. Within a rapidcheck property.
+/// A point light or a directional light on the same lattice. For use within a rapidcheck property.
 inline glm::vec4 latticeLight() {
     const auto p = integers(3, -3, 4);
     return {p[0], p[1], p[2], integers(1, 0, 2).front()};
 }
 
-/// `triangles` random triangles over eight points of any scale, by the same shapes as
+/// `triangles` random triangles over eight points of any scale, with the shapes of
 /// randomTriangle().
 inline Soup randomSoup(Random& random, int triangles) {
     const Corners corners = randomTriangle(random);
     Soup soup{{corners.begin(), corners.end()}, {}};
-    // The other points lie around the triangle, so that rounding doesn't make them one.
+    // The other points lie around the triangle, so that rounding doesn't merge them.
     const double size = glm::length(glm::dvec3(corners[2]) - glm::dvec3(corners[0]));
     for (int i = 3; i < soupPoints; ++i)
         soup.positions.emplace_back(glm::dvec3(corners[0]) + size * random.inCube());

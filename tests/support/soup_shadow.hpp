@@ -5,7 +5,7 @@
 
 namespace edgeshade::test {
 
-/// The plane-pair records of a soup of one material.
+/// The plane-pair records of a soup with one material.
 inline PlanePairShadow shadowOf(const Soup& soup) {
     CasterMesh mesh;
     mesh.welded = weld(soup.positions, soup.indices);

@@ -10,7 +10,7 @@
 
 namespace edgeshade::test {
 
-/// A fresh folder that goes away with everything in it.
+/// A new folder that is deleted with all its contents.
 class TempFolder {
   public:
     TempFolder();
@@ -25,10 +25,10 @@ class TempFolder {
     std::filesystem::path write(const std::string& name, const Bytes& bytes) const;
     std::filesystem::path write(const std::string& name, std::string_view text) const;
 
-    /// Names of what lies in the folder, sorted.
+    /// Names of the folder's entries, sorted.
     std::vector<std::string> names() const;
 
-    /// How many of them are files that a write left unfinished.
+    /// Number of them that a write left unfinished.
     std::size_t partialFiles() const;
 
   private:

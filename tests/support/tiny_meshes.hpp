@@ -1,6 +1,6 @@
 #pragma once
 
-// Meshes small enough to know by heart. Coordinates are small integers, so that every sign is
+// Meshes small enough to know completely. Coordinates are small integers, so that every sign is
 // computed exactly and a light can lie in a plane.
 
 #include "preprocess/mesh/edges.hpp"
@@ -13,13 +13,13 @@
 
 namespace edgeshade::test {
 
-/// Triangles as a file gives them, before welding.
+/// Triangles as in a file, before welding.
 struct Soup {
     std::vector<glm::vec3> positions;
     std::vector<std::uint32_t> indices; ///< three a triangle
 };
 
-/// A soup taken through the pipeline: weld, edges, sides.
+/// A soup after all stages: weld, edges, sides.
 struct Built {
     WeldedMesh mesh;
     EdgeList edges;
@@ -42,7 +42,7 @@ inline Built build(const Soup& soup) {
 //    |/      |/       +--x
 //    0-------1
 //
-/// The unit cube with one corner at the origin, outside counter-clockwise; two triangles a face.
+/// The unit cube with one corner at the origin, wound outwards; two triangles per face.
 inline Soup cube() {
     return {
         {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}},

@@ -19,7 +19,7 @@ void append(Bytes& bytes, std::size_t number, int width) {
         bytes.push_back(static_cast<std::uint8_t>(number >> 8 * i));
 }
 
-/// A chunk of a RIFF file; `content` is of an even number of bytes.
+/// Appends a chunk of a RIFF file; `content` has an even number of bytes.
 void appendChunk(Bytes& bytes, std::string_view name, const Bytes& content) {
     append(bytes, name);
     append(bytes, content.size(), 4);
@@ -59,8 +59,8 @@ Bytes smallWebp() {
 Bytes animatedWebp() {
     const Bytes still = smallWebp();
     Bytes frame;
-    append(frame, 0, 6); // where it lies
-    append(frame, 1, 3); // its width and height, less 1
+    append(frame, 0, 6); // its position
+    append(frame, 1, 3); // its width and height, minus 1
     append(frame, 1, 3);
     append(frame, 100, 3); // milliseconds
     append(frame, 0, 1);

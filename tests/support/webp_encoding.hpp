@@ -6,11 +6,11 @@
 
 namespace edgeshade::test {
 
-/// A WebP of 8-bit RGBA pixels, rows top to bottom: every bit kept, colours of clear pixels too,
-/// or, with `lossy`, about what they are.
+/// A WebP of 8-bit RGBA pixels, rows top to bottom: lossless, including the colours of clear
+/// pixels, or approximate with `lossy`.
 Bytes webpOf(std::span<const std::uint8_t> rgba, int width, int height, bool lossy = false);
 
-/// smallPng()'s pixels as WebP, every bit kept.
+/// smallPng()'s pixels as lossless WebP.
 Bytes smallWebp();
 
 /// An animation of one frame with these pixels.

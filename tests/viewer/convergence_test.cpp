@@ -1,5 +1,5 @@
-// Shadows of lights with an extent: hard while something moves, softer from picture to picture at
-// rest.
+// Shadows of lights with an extent: hard while something moves, then softer from picture to
+// picture.
 #include "src/viewer/viewer.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
@@ -38,14 +38,14 @@ class ViewerSoftness : public testing::Test {
 
     bool frame() { return viewer.frame(now += 0.016); }
 
-    /// Pictures until nothing more is wanted, by the points that they are shown by.
+    /// Draws until the viewer wants no more frames; returns the pictures by their number of points.
     std::map<std::size_t, Pixels> settle() {
         std::map<std::size_t, Pixels> pictures;
         for (int i = 0; i < 20000 && viewer.wantsFrame(); ++i) {
             const LightPoints points = viewer.lightPoints();
             if (frame())
                 pictures[viewer.lightPoints().shown] = context.readPixels();
-            else if (points.shown == points.of) // a primitive map is being built
+            else if (points.shown == points.of) // a primitive map is under construction
                 std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
         return pictures;
@@ -99,7 +99,7 @@ TEST_F(ViewerSoftness, AtRestAMapOfTheWholeLightCountsAsVolumesDo) {
     shine(soft, 64);
     const Pixels byVolumes = settle().at(64);
     viewer.change(Json::parse(R"({"left": {"shadows": "primitive-map"}})"));
-    settle(); // by volumes, until there is a map
+    settle(); // with volumes, until there is a map
     shine(soft, 16);
     settle();
     shine(soft, 64);
@@ -147,7 +147,7 @@ TEST_F(ViewerSoftness, BothSidesOfASplitBecomeSoft) {
     const Pixels whole = settle().at(64);
     viewer.change(Json::parse(R"({"split": true, "right": {"shadows": "volumes"}})"));
     const Pixels split = settle().at(64);
-    // The line between them is drawn over the picture.
+    // The line between the sides is drawn over the picture.
     std::size_t different = 0;
     for (std::size_t i = 0; i < whole.size(); i += 4)
         different += whole[i] != split[i];

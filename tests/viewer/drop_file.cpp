@@ -1,5 +1,5 @@
 // drop_file WINDOW FILE: drops a file onto an X11 window as a file manager does, by XDND version 5
-// (freedesktop.org's specification). Exits 0 once the window says that it has taken it.
+// (freedesktop.org's specification). Exits 0 once the window reports that it has taken it.
 
 #include <chrono>
 #include <cstdlib>
@@ -13,7 +13,7 @@
 
 namespace {
 
-/// What is dropped, and the window of ours that it comes from.
+/// A drag: the dropped file, and the program's own window as its source.
 class Drag {
   public:
     Drag(Display* display, Window target, const std::string& file)
@@ -27,13 +27,13 @@ class Drag {
         send("XdndPosition", 0, middle(), CurrentTime, static_cast<long>(atom("XdndActionCopy")));
         if (!(waitFor("XdndStatus").data.l[1] & 1)) return false;
         send("XdndDrop", 0, CurrentTime, 0, 0);
-        return waitFor("XdndFinished").data.l[1] != 0; // GLFW puts a length there
+        return waitFor("XdndFinished").data.l[1] != 0; // GLFW stores a length there
     }
 
   private:
     Atom atom(const char* name) { return XInternAtom(display_, name, False); }
 
-    /// Of the target, on the screen: x and y in 16 bits each.
+    /// The target's middle on the screen: x and y in 16 bits each.
     long middle() {
         XWindowAttributes about;
         XGetWindowAttributes(display_, target_, &about);
@@ -56,8 +56,8 @@ class Drag {
         XFlush(display_);
     }
 
-    /// The target's next message of that name; hands the data over meanwhile. Ends the program
-    /// after a minute.
+    /// Waits for the target's next message of that name, and sends the data meanwhile. Ends the
+    /// program after a minute.
     XClientMessageEvent waitFor(const char* message) {
         const auto until = std::chrono::steady_clock::now() + std::chrono::minutes(1);
         while (std::chrono::steady_clock::now() < until) {

@@ -1,4 +1,4 @@
-// Pointers to motions, and motions to states.
+// From pointers to motions, and from motions to states.
 
 #include "src/viewer/interaction.hpp"
 
@@ -7,7 +7,7 @@
 namespace edgeshade::viewer {
 namespace {
 
-/// A box of 4 x 2 x 4, nothing on its rays.
+/// A box of 4 x 2 x 4, with no surface on any ray.
 Stage emptyStage() {
     Stage stage;
     stage.bounds = {{-2, 0, -2}, {2, 2, 2}};
@@ -79,7 +79,7 @@ TEST(Gestures, AThirdFingerDoesNothing) {
 
 TEST(Interaction, DraggingOrbits) {
     const ViewState state = dragged(pointer(100, 500), 50, 520);
-    EXPECT_GT(state.camera.from.x, 0.0); // the scene goes left, the eye right
+    EXPECT_GT(state.camera.from.x, 0.0); // the scene moves left, the eye right
     EXPECT_GT(state.camera.from.y, 1.0);
     EXPECT_EQ(state.camera.to, someState().camera.to);
 }
@@ -142,7 +142,7 @@ TEST(Interaction, WhatIsBetweenTwoFingersStaysThere) {
     const PictureView view = stage.viewOf(state.camera);
     EXPECT_LT(glm::distance(view.pixelOf(held), glm::dvec2(300, 450)), 1e-6);
     EXPECT_LT(glm::distance(state.camera.from, state.camera.to), 8.0);
-    // The finger that stays orbits on.
+    // The remaining finger continues to orbit.
     interaction.up(pointer(500, 400, 2));
     const Camera before = state.camera;
     state = *interaction.move(pointer(110, 500, 1), state, stage);

@@ -1,4 +1,4 @@
-// Dragging by a handle moves the light to where the pointer is.
+// Dragging a handle moves the light to the pointer.
 
 #include "src/viewer/light_handles.hpp"
 

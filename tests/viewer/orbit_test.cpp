@@ -51,7 +51,7 @@ TEST(Orbit, NeverGoesOverAPole) {
         for (int i = 0; i < 50; ++i) {
             camera = orbited(camera, 0.0, sign * 0.2);
             const glm::dvec3 now = glm::dmat3(glm::transpose(viewFromWorld(camera)))[0];
-            expectNear(now, right, 1e-6); // pitch alone never turns the picture
+            expectNear(now, right, 1e-6); // pitch alone never rolls the picture
         }
         EXPECT_GT(sign * (camera.from.y - camera.to.y), 0.0);
     }

@@ -1,5 +1,5 @@
-// picture_difference A.png B.png: prints how many pixels per thousand differ, "sizes" if the
-// pictures have other sizes.
+// picture_difference A.png B.png: prints how many pixels per thousand differ, or "sizes" if the
+// pictures' sizes differ.
 
 #include "preprocess/base/file_io.hpp"
 #include "src/image/decode.hpp"

@@ -1,4 +1,4 @@
-// Which lights of a viewer are looked up in primitive maps, and when.
+// The lights of a viewer that use primitive maps, and when.
 #include "src/viewer/light_rest.hpp"
 #include "src/viewer/viewer.hpp"
 #include "tests/support/headless.hpp"
@@ -20,7 +20,7 @@ LoadedScene loadedOf(const Scene& scene) {
     return {{}, scene, {}, buildPlanePairs(scene, false), {}, {}};
 }
 
-/// More silhouette edges than volumes are worth.
+/// More silhouette edges than volumes are good for.
 Scene manyBoxes() {
     test::SceneBuilder builder;
     builder.floor(6.0f);
@@ -43,7 +43,7 @@ class ViewerMaps : public testing::Test {
     static std::string methodOf(const Viewer& of) { return of.stats().lights.at(0).method; }
     std::string method() const { return methodOf(viewer); }
 
-    /// Draws until nothing more is wanted, a minute by the clock at most; `now` goes on.
+    /// Draws until the viewer wants no more frames, for at most a minute; advances `now`.
     void settle(Viewer& of) {
         for (int i = 0; i < 6000 && of.wantsFrame(); ++i) {
             now += 0.01;
@@ -57,7 +57,7 @@ class ViewerMaps : public testing::Test {
     double now = 1.0;
 };
 
-/// Builds maps of the scene as it was read, without a ground, when it is let.
+/// Builds maps of the scene as read, without a ground, when the test allows it.
 class TestWorker : public PrimitiveMapWorker {
   public:
     explicit TestWorker(LoadedScene scene) : scene_(std::move(scene)) {}
@@ -140,7 +140,7 @@ TEST_F(ViewerMaps, ALightIsCountedWhileItMovesAndLookedUpOnceItRests) {
     EXPECT_EQ(method(), "primitive-map");
     EXPECT_FALSE(viewer.wantsFrame());
     EXPECT_GT(viewer.stats().primitiveMapBytes, 0u);
-    // The same picture, but for pixels that boundaries pass through.
+    // The same picture, except for pixels that boundaries cross.
     EXPECT_LT(differing(context.readPixels(), counted), 20u);
 
     viewer.change(Json::parse(R"({"lights": [[0.5, 1, 0.3, 0]]})"));
@@ -221,7 +221,7 @@ TEST_F(ViewerMaps, ALostContextTakesItsMapAlong) {
 
 TEST_F(ViewerMaps, AnotherSceneStopsWhatIsBeingBuilt) {
     viewer.frame(now);
-    viewer.frame(now += 1.0); // begins to build
+    viewer.frame(now += 1.0); // starts building
     viewer.show(loadedOf(test::yard().scene()));
     settle();
     EXPECT_EQ(method(), "volumes");

@@ -14,12 +14,12 @@ namespace edgeshade::test {
 namespace {
 
 Bytes withMark(Bytes png, int mark) {
-    png.push_back(static_cast<std::uint8_t>(mark)); // behind the picture's end
+    png.push_back(static_cast<std::uint8_t>(mark)); // behind the image's end
     return png;
 }
 
-/// What a worker hands over of a scene of two pictures that materials use, and one between them
-/// that none does.
+/// The worker's transfer of a scene with two images that materials use, and an unused one between
+/// them.
 LoadedScene transferred(bool animated) {
     GltfBuilder gltf;
     for (int mark = 0; mark < 3; ++mark)

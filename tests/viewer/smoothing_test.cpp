@@ -1,4 +1,5 @@
-// Antialiasing while nothing moves: the mean of pictures sampled within their pixels.
+// Antialiasing while nothing moves: the mean of pictures with different samples within their
+// pixels.
 #include "src/render/accumulation/extended_lights.hpp"
 #include "src/render/accumulation/subpixels.hpp"
 #include "src/viewer/viewer.hpp"
@@ -35,7 +36,7 @@ class ViewerSmoothing : public testing::Test {
 
     bool frame() { return viewer.frame(now += 0.016); }
 
-    /// Pictures until nothing more is wanted, by how many each is the mean of.
+    /// Draws until the viewer wants no more frames; returns the number of pictures in each mean.
     std::vector<std::size_t> settle() {
         std::vector<std::size_t> shown;
         for (int i = 0; i < 20000 && viewer.wantsFrame(); ++i)
@@ -43,7 +44,7 @@ class ViewerSmoothing : public testing::Test {
         return shown;
     }
 
-    /// The mean of `count` pictures, each drawn by itself with all points of its lights.
+    /// The mean of `count` pictures, each drawn separately with all points of its lights.
     std::vector<double> meanOf(std::size_t count) {
         const LoadedScene loaded = yardScene();
         const ViewState& state = viewer.state();

@@ -1,4 +1,4 @@
-// Hours of sun as the viewer shows them, against what `edgeshade sunhours` counts.
+// Hours of sunlight in the viewer, against the counts of `edgeshade sunhours`.
 #include "src/hours/schedule.hpp"
 #include "src/plot/color_scale.hpp"
 #include "src/render/accumulation/direction_counts.hpp"
@@ -36,7 +36,7 @@ class ViewerHours : public testing::Test {
     void ask(int step = 30) { viewer.change({{"sun_hours", true}, {"sun_hours_step", step}}); }
     bool frame() { return viewer.frame(now += 0.016); }
 
-    /// Pictures until nothing more is wanted.
+    /// Draws until the viewer wants no more frames; returns the number of pictures.
     int settle() {
         int pictures = 0;
         for (int i = 0; i < 20000 && viewer.wantsFrame(); ++i)
@@ -44,7 +44,7 @@ class ViewerHours : public testing::Test {
         return pictures;
     }
 
-    /// What `edgeshade sunhours` counts in the state's view and day.
+    /// The counts of `edgeshade sunhours` for the state's view and day.
     LitCounts counted(const char* date, int step) {
         hours::Schedule schedule;
         schedule.place = viewer.state().sun->place;
@@ -102,7 +102,7 @@ TEST_F(ViewerHours, AreShownInTheColoursOfTheProgram) {
     viewer.change(Json::parse(R"({"background": [1, 0, 1]})"));
     settle();
     const std::vector<std::uint8_t> shown = context.readPixels();
-    const LitCounts expected = counted("2026-03-21", 30); // which may draw where that was
+    const LitCounts expected = counted("2026-03-21", 30); // this may overwrite the viewer's picture
     for (std::size_t i = 0; i < expected.lit.size(); ++i) {
         const double share = static_cast<double>(expected.lit[i]) / expected.lights;
         const plot::Color color = expected.surface[i] == 0 ? 0xFF00FF : plot::evenColor(share);
@@ -176,7 +176,7 @@ TEST_F(ViewerHours, AnotherTimeOfTheDayKeepsThem) {
         EXPECT_FALSE(viewer.wantsFrame()) << change;
         EXPECT_EQ(context.readPixels(), before) << change;
     }
-    // The day before, by a clock's minute.
+    // The day before, by one minute on the clock.
     viewer.change(Json::parse(R"({"sun": {"time": "2026-03-20T23:59+01:00"}})"));
     ASSERT_TRUE(frame());
     EXPECT_EQ(viewer.sunHours()->counted, 0u);
@@ -264,7 +264,7 @@ TEST_F(ViewerHours, AreStated) {
             EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
         }
     EXPECT_EQ(toJson(viewer.state()), state);
-    // They are of a sun by place and time.
+    // Hours need a sun by place and time.
     viewer.change(Json::parse(R"({"lights": [[0, 1, 0, 0]]})"));
     EXPECT_FALSE(viewer.state().sunHours);
     viewer.change({{"sun_hours", true}});

@@ -1,4 +1,4 @@
-// A sun by place and time, as the viewer's state has it.
+// A sun by place and time in the viewer's state.
 
 #include "preprocess/base/error.hpp"
 #include "src/viewer/commands.hpp"
@@ -21,7 +21,7 @@ SunState sunAt(const char* time, double north = 0.0) {
 
 const glm::dvec4 lampPlace(1, 2, 3, 1);
 
-/// A lamp, and the sun by place and time before it.
+/// A lamp, preceded by the sun by place and time.
 ViewState placed(const char* time = "2026-06-21T14:30+02:00") {
     ViewState before;
     before.lights = {{lampPlace}};
@@ -175,7 +175,7 @@ TEST(DayClock, GoesRoundWithinTheDayAtAnHourASecond) {
     EXPECT_EQ(sun::textOf(state.sun->time), "2026-06-21T23:30+02:00");
     state.sun = clock.advance(22.5, state);
     EXPECT_EQ(sun::textOf(state.sun->time), "2026-06-21T00:30+02:00");
-    // Short frames lose nothing to whole seconds.
+    // Short frames lose nothing to rounding to whole seconds.
     for (int i = 1; i <= 1000; ++i)
         if (const auto moved = clock.advance(22.5 + i / 1000.0 + 1e-9, state)) state.sun = moved;
     EXPECT_EQ(sun::textOf(state.sun->time), "2026-06-21T01:30+02:00");
@@ -197,7 +197,7 @@ TEST(SunDays, HaveTheSunsWayWithItsHours) {
     const Json json = toJson(sunAt("2026-06-21T14:30+02:00").position(), day);
     EXPECT_EQ(json["up"], true);
     EXPECT_TRUE(json["rise"].is_string());
-    // Another hour of the day has the same day, another date has not.
+    // Another hour has the same day, another date hasn't.
     EXPECT_EQ(&days.of(sunAt("2026-06-21T20:00+02:00")), &day);
     const auto noonOf = [](const SunDay& of) {
         double highest = 0.0;
@@ -234,7 +234,7 @@ TEST(SunDays, AreDrawnWhereTheyAreBeforeTheEye) {
     const auto drawn = sunTriangles(day, state, stage);
     EXPECT_GT(drawn.size(), sunTriangles(SunDay(), state, stage).size());
     EXPECT_EQ(drawn.size() % 3, 0u);
-    // With the eye in the middle of the sphere half of it lies behind.
+    // With the eye in the middle of the sphere half of it is behind the eye.
     state.camera = {{0, 0, 0}, {0, 0, -1}, 45.0};
     EXPECT_LT(sunTriangles(day, state, stage).size(), drawn.size());
 }

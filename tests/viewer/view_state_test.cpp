@@ -1,4 +1,4 @@
-// The state's JSON: what is written is read back, and what is wrong is named.
+// The state's JSON: reading gives back what was written, and errors are named.
 
 #include "preprocess/base/error.hpp"
 #include "src/viewer/view_state.hpp"
@@ -42,7 +42,7 @@ ViewState someState() {
     return state;
 }
 
-/// The refusal of `changes`; it must name `name` and `value`.
+/// Expects that `changes` are refused with a message that has `name` and `value`.
 void expectRefused(const std::string& changes, const std::string& name, const std::string& value) {
     SCOPED_TRACE(changes);
     try {

@@ -1,4 +1,4 @@
-// The viewer against plain pictures of the same views.
+// The viewer against single pictures of the same views.
 
 #include "preprocess/base/error.hpp"
 #include "preprocess/gltf/gltf_reading.hpp"
@@ -28,14 +28,14 @@ LoadedScene yardScene() {
     return {{}, scene, {}, buildPlanePairs(scene, false), {}, {}};
 }
 
-/// With all methods that there are to compare with.
+/// Settings that include all rival methods.
 ViewerSettings withRivals() {
     ViewerSettings settings;
     settings.render.rivals = &allRivals();
     return settings;
 }
 
-/// A viewer with the yard in a context of its own, without handles.
+/// A viewer with the yard in its own context, without handles.
 class ViewerTest : public testing::Test {
   protected:
     ViewerTest() {
@@ -50,7 +50,7 @@ class ViewerTest : public testing::Test {
         return context.readPixels();
     }
 
-    /// The picture of the same view as `render` draws it.
+    /// The same view drawn by `render`.
     Pixels plainPicture(const SideSettings& side) const {
         RenderSettings settings;
         settings.shadows = side.shadows;
@@ -90,7 +90,7 @@ std::size_t differing(const Pixels& a, const Pixels& b) {
     return count;
 }
 
-// The other picture is drawn last: its context takes the place of the viewer's.
+// The comparison picture is drawn last: its context replaces the viewer's.
 
 TEST_F(ViewerTest, DrawsThePictureOfRender) {
     const Pixels drawn = picture();
@@ -107,10 +107,10 @@ TEST_F(ViewerTest, ASunByPlaceAndTimeIsTheLightFromThere) {
     const Pixels night = picture();
     EXPECT_FALSE(night == drawn);
     EXPECT_EQ(viewer.sun()["up"], false);
-    // Whatever shadows there would be: nothing is lit.
+    // Nothing is lit, whatever shadows there would be.
     viewer.change(Json::parse(R"({"left": {"shadows": "none"}})"));
     EXPECT_TRUE(picture() == night);
-    // A way, a horizon.
+    // The sun's path and the horizon.
     viewer.change(Json::parse(R"({"show_lights": true})"));
     EXPECT_FALSE(picture() == night);
     viewer.change(Json::parse(R"({"sun": {"time": "2026-06-21T09:00+02:00"}})"));
@@ -190,7 +190,7 @@ TEST_F(ViewerTest, DrawsOnlyWhenSomethingChanged) {
     EXPECT_TRUE(viewer.frame(0.0));
     EXPECT_FALSE(viewer.wantsFrame());
     EXPECT_FALSE(viewer.frame(1.0));
-    viewer.pointerMove(Pointer()); // of no pointer that is down
+    viewer.pointerMove(Pointer()); // of a pointer that isn't down
     EXPECT_FALSE(viewer.wantsFrame());
     viewer.run(Command::orbitLeft);
     EXPECT_TRUE(viewer.wantsFrame());
@@ -231,7 +231,7 @@ TEST_F(ViewerTest, ALightDraggedByItsHandleShadesFromThere) {
         "camera": {"from": [0, 6, 12], "to": [0, 1, 0]}})"));
     const Pixels before = picture();
     Pointer pointer;
-    // Where a handle is: the place that the wheel and a drag agree on.
+    // Position of a handle: the wheel and a drag agree on it.
     const glm::dvec4 clip =
         clipFromView(frustumOf(viewer.state().camera, static_cast<double>(width) / height), 0.1) *
         viewFromWorld(viewer.state().camera) * viewer.state().lights[0].position;
@@ -271,7 +271,7 @@ TEST_F(ViewerTest, StatisticsTellOfTheScene) {
     EXPECT_EQ(stats.triangles, test::yard().scene().triangleCount());
     EXPECT_GT(stats.edges, stats.silhouettes);
     EXPECT_GT(stats.records, 0u);
-    EXPECT_LT(stats.records, stats.edges); // flat edges take none
+    EXPECT_LT(stats.records, stats.edges); // flat edges have no records
     EXPECT_GT(stats.silhouettes, 0u);
     EXPECT_GT(stats.shadowBytes, 0u);
     EXPECT_EQ(stats.mapBytes, 0u);
@@ -345,7 +345,8 @@ TEST(ViewerAfterALostContext, DrawsTheSameInANewOne) {
     context = std::make_unique<gl::HeadlessContext>(test::testPicture(width, height));
     viewer.restoreGpu(context->capabilities());
     EXPECT_TRUE(viewer.frame(2.0));
-    EXPECT_LT(differing(context->readPixels(), before), 20u); // the eye came back but for rounding
+    EXPECT_LT(differing(context->readPixels(), before), 20u); // the eye came back except for
+                                                              // rounding
     viewer.forgetGpu();
 }
 
@@ -431,7 +432,7 @@ TEST_F(Animated, WhatIsScaledToNothingIsNotDrawnAndHasNoShadow) {
     EXPECT_EQ(differing(gone, plain(slab.scene)), 0u);
 }
 
-/// Viewers of scenes that deform.
+/// Viewers of deforming scenes.
 class Deforming : public Animated {
   protected:
     void show(const test::GltfBuilder& gltf) {
@@ -455,7 +456,7 @@ class Deforming : public Animated {
         for (std::size_t i = 0; i < times.size(); ++i)
             EXPECT_EQ(differing(then[i], plainAt(gltf, times[i], 0)), 0u) << times[i];
     }
-    /// The picture of a scene that was at that time from the start, drawn in another context.
+    /// The picture of a scene that starts at that time, drawn in another context.
     Pixels plainAt(const test::GltfBuilder& gltf, double seconds, std::size_t animation) const {
         LoadedScene there = loaded(gltf);
         Warnings none;
@@ -500,7 +501,7 @@ TEST_F(Deforming, AnotherAnimationCanBeChosen) {
     viewer.show(yardScene());
     EXPECT_TRUE(viewer.animations().empty());
     EXPECT_THROW(viewer.change({{"animation", 1}}), Error);
-    show(gltf); // the same camera
+    show(gltf); // with the same camera
     EXPECT_EQ(differing(waving, plainAt(gltf, 0.7, 1)), 0u);
 }
 
@@ -525,7 +526,7 @@ TEST_F(Animated, LightsOfTheFileGoWithTheirNodesUntilSomebodyMovesThem) {
     EXPECT_EQ(placeOf(1), glm::dvec3(1, 2, 0));
     const auto kept = toJson(viewer.state());
 
-    // One is moved: it stays there, the other goes on.
+    // The one that was moved stays there, the other keeps following.
     auto lights = kept["lights"];
     lights[0]["position"] = {7.0, 7.0, 7.0};
     viewer.change({{"lights", lights}});
@@ -536,7 +537,7 @@ TEST_F(Animated, LightsOfTheFileGoWithTheirNodesUntilSomebodyMovesThem) {
     EXPECT_EQ(viewer.state().time, 0.0);
     EXPECT_EQ(placeOf(0), glm::dvec3(-1, 2, 0)) << "the file's again";
 
-    // What an address kept, its digits cut, goes on with the animation.
+    // A light from an address, with its digits cut, keeps following the animation.
     viewer.show(movingLamps());
     lights = kept["lights"];
     lights[1]["position"] = {1.0000004, 2.0, 0.0};

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# window_test.sh EDGESHADE PICTURE_DIFFERENCE SCENE [DROP_FILE]: `edgeshade view` under a display of
-# its own. Exits 77 (skipped) without Xvfb or xdotool.
+# window_test.sh EDGESHADE PICTURE_DIFFERENCE SCENE [DROP_FILE]: `edgeshade view` on a separate
+# display. Exits 77 (skipped) without Xvfb or xdotool.
 set -euo pipefail
 program=$1 difference=$2 scene=$3 drop_file=${4:-}
 
@@ -25,7 +25,7 @@ trap 'kill $window_program $server 2>/dev/null || true; wait 2>/dev/null; rm -rf
 for _ in $(seq 100); do [[ -s display ]] && break; sleep 0.1; done
 [[ -s display ]] || fail "Xvfb gives no display"
 
-# Without a display: status 3 and a sentence.
+# Without a display it ends with status 3 and a sentence.
 status=0
 env -u DISPLAY -u WAYLAND_DISPLAY "$program" view "$scene" 2>message || status=$?
 [[ $status == 3 ]] || fail "without a display the status is $status"
@@ -35,8 +35,8 @@ export DISPLAY=:$(cat display) LIBGL_ALWAYS_SOFTWARE=1
 unset WAYLAND_DISPLAY
 view=(--size 400x300 --camera-from 7,5,9 --camera-to 0,1,0 --sun -0.6,0.6,-0.3)
 
-# The window's picture is that of `render`. Mesa's window and pbuffer configs may round depth
-# otherwise, so one pixel in a thousand may differ.
+# The window's picture equals that of `render`. Mesa's window and pbuffer configurations may round
+# depth differently, so one pixel in a thousand may differ.
 "$program" render "$scene" plain.png "${view[@]}" >/dev/null
 "$program" view "$scene" --screenshot window.png "${view[@]}"
 at_most 1 plain.png window.png || fail "the window shows another picture than render"
@@ -53,7 +53,7 @@ for hour in 16 01; do
     at_most 1 plain-placed.png placed.png || fail "the window shows another picture at $hour h"
     cmp said said-by-view || fail "at $hour h the window warns of something else"
 done
-# Its hours of sun are another picture, by steps, and need a place.
+# The hours of sunlight are another picture, depend on the step, and need a place.
 hours=("${view[@]:0:6}" --place 48.14,11.57 --time-of-day 2026-06-21T16:00+02:00 --sun-hours)
 "$program" view "$scene" --screenshot hours.png "${hours[@]}"
 at_most 200 placed.png hours.png && fail "--sun-hours shows the usual picture"
@@ -67,7 +67,7 @@ grep -q -e '--place' message || fail "$(cat message)"
 grep -q 'divide a day' message || fail "$(cat message)"
 grep -q 'below the horizon, so it lights nothing' said || fail "nobody warned of the night"
 
-# Smoothed as by render, but for means half way between two bytes.
+# Smoothed as by render, except for means half way between two bytes.
 "$program" render "$scene" plain-smooth.png "${view[@]}" --smooth 16 >/dev/null
 "$program" view "$scene" --screenshot smooth.png "${view[@]}" --smooth 16
 at_most 100 plain-smooth.png smooth.png || fail "the window smooths another way than render"
@@ -101,7 +101,7 @@ xdotool key ctrl+Left ctrl+Left ctrl+Left ctrl+Left ctrl+Left ctrl+Left
 shoot
 at_most 5 edgeshade-4.png edgeshade-5.png && fail "the light did not move"
 if [[ -n $drop_file ]]; then
-    # A file that is no scene leaves everything as it is, and a sentence; a scene is shown, framed.
+    # A file that is no scene changes nothing and gives a sentence; a scene is shown and framed.
     echo nonsense >broken.glb
     "$drop_file" "$window" broken.glb || fail "the window takes no drop"
     shoot
@@ -115,7 +115,7 @@ if [[ -n $drop_file ]]; then
     at_most 5 edgeshade-6.png edgeshade-7.png && fail "the dropped scene is not framed"
 fi
 before=edgeshade-$shots.png
-xdotool key h i # text is over the window, never in a screenshot
+xdotool key h i # text is over the window, but never in a screenshot
 shoot
 at_most 0 "$before" "edgeshade-$shots.png" || fail "the help is in the screenshot"
 xdotool windowsize "$window" 500 320
@@ -124,13 +124,13 @@ for _ in $(seq 50); do
     [[ $("$difference" "$before" "edgeshade-$shots.png") == sizes ]] && break
 done
 [[ $("$difference" "$before" "edgeshade-$shots.png") == sizes ]] || fail "no resize"
-xdotool key Escape Escape # the help, then the window
+xdotool key Escape Escape # closes the help, then the window
 status=0
 wait "$window_program" || status=$?
 window_program=
 [[ $status == 0 ]] || fail "the window ended with status $status: $(cat window.log)"
 
-# K goes from the file's own materials through its variants and back, C from camera to camera.
+# K cycles through the file's own materials and its variants, C through the cameras.
 cat >variants.gltf <<END
 {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1, 2]}],
  "nodes": [{"mesh": 0}, {"camera": 0, "translation": [0.5, 0, 3]},

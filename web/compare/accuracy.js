@@ -1,15 +1,16 @@
-// How far a method's shadows are from the exact ones, pixel by pixel.
+// Difference between a method's shadows and the exact ones, pixel by pixel.
 
-/** `look` of a frame that accuracyOf() compares: white where the light reaches a side turned to it. */
+/** `look` of a frame for accuracyOf(): white where the light reaches a side that faces it. */
 export const maskLook = 'mask';
 
 /**
- * `reference`, `other`: RGBA of masks of one view. {surfaces, shadowed, wrong, beyond, apart}: pixels with a surface;
- * those of them that are in shadow; those where the other is more than half a light off; those of these without a
- * boundary of the reference, or of what is seen, within a pixel; the sum of what all are off, as shares of the light.
+ * `reference`, `other`: RGBA of masks of one view. Returns {surfaces, shadowed, wrong, beyond,
+ * apart}. surfaces: pixels with a surface; shadowed: those in shadow; wrong: those that differ by
+ * more than half a light; beyond: wrong ones with no boundary of the reference mask or of visible
+ * geometry within a pixel; apart: sum of all differences, as shares of the light.
  */
 export function accuracyOf(reference, other, width, height) {
-  // 0: nothing is there; 1: in shadow; 2: lit.
+  // 0: no surface; 1: in shadow; 2: lit.
   const kinds = new Uint8Array(width * height);
   for (let i = 0; i < kinds.length; ++i) kinds[i] = reference[4 * i + 3] === 0 ? 0 : reference[4 * i] > 127 ? 2 : 1;
   const atBoundary = (x, y) => {

@@ -1,5 +1,5 @@
-// What the address says: ?model=…&camera=…&light=…, as the viewer's page has them, or model=pavilion or room;
-// left=pcf-1024 and right=…, layout=side, bias=…, normal-bias=…, antialias=off.
+// Parameters of the address: ?model=…&camera=…&light=…, as on the viewer's page, or model=pavilion
+// or room; left=pcf-1024 and right=…, layout=side, bias=…, normal-bias=…, antialias=off.
 
 import { anglesOf } from '../page/sun.js';
 import { readHash } from '../page/url-state.js';
@@ -19,7 +19,10 @@ function viewOf({ camera, lights }) {
   return { ...view, ...(w === 0 ? { light: 'sun', sun: anglesOf([x, y, z]) } : { light: 'lamp', lamp: [x, y, z] }) };
 }
 
-/** {model or null, view: as in samples.js, or less, layout, left, right, biases, antialias, problems: sentences}. */
+/**
+ * Returns {model or null, view: as in samples.js, or part of it, layout, left, right, biases,
+ * antialias, problems: sentences}.
+ */
 export function readAddress(query) {
   const words = new URLSearchParams(query);
   const { model, changes, problems } = readHash(query.replace('?', '#'));

@@ -6,11 +6,11 @@ import { CSMShader } from 'three/addons/csm/CSMShader.js';
 import { bytesOfMaps, releaseMaps } from './light-rig.js';
 import { Method } from './method.js';
 
-/** Its sun is one of the cascades' lights each, not the rig's. */
+/** Each cascade has its own light in place of the rig's sun. */
 export class Cascades extends Method {
   #csm = null;
   #mapSize;
-  #seen = ''; // what the cascades were cut for
+  #seen = ''; // the view that the cascades were last fitted to
 
   constructor(world, id, mapSize) {
     super(world, id);
@@ -23,7 +23,8 @@ export class Cascades extends Method {
     const { lights_fragment_begin, lights_pars_begin } = ShaderChunk;
     this.#csm = new CSM({ camera, parent: this.rig.group, cascades: 3, maxFar: Infinity, shadowMapSize: this.#mapSize,
       lightMargin: 2 * radius, lightNear: 0.01 * radius, lightFar: 8 * radius });
-    // It puts its chunks in place of everybody's; change() gives them to its own materials.
+    // CSM replaces shader chunks for all materials: this restores them, and change() gives CSM's to
+    // its own materials.
     Object.assign(ShaderChunk, { lights_fragment_begin, lights_pars_begin });
     this.#seen = '';
     return this.#csm;

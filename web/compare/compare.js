@@ -1,4 +1,5 @@
-// The page: a scene with two methods' shadows beside each other, and what all of them take and how right they are.
+// The page: a scene with the shadows of two methods side by side, with the cost and accuracy of all
+// methods.
 
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { acceptFiles } from '../page/drop.js';
@@ -31,7 +32,7 @@ const state = {
 let world, orbit, picture, panel;
 let model = null, loading = null, results = null;
 let busy = false; // measuring or loading: nothing else draws
-let wanted = 0; // the frame that was asked for
+let wanted = 0; // id of the requested frame
 
 function tell(sentence) {
   $('problem').textContent = sentence;
@@ -65,12 +66,12 @@ function refresh() {
 
 function change(part) {
   Object.assign(state, part);
-  for (const side of ['left', 'right']) // what there is not with this light
+  for (const side of ['left', 'right']) // replaces a method that draws no shadows of this light
     if (!methods[state[side].name].lights.includes(state.light)) state[side] = { ...state[side], name: 'pcf' };
   refresh();
 }
 
-/** The view of a model that comes without one. */
+/** The default view, for a model without its own. */
 function ownView() {
   const { center, radius } = world;
   const from = [0.55, 0.45, 1].map((share, i) => center.toArray()[i] + 1.9 * radius * share / 1.23);
@@ -78,7 +79,7 @@ function ownView() {
     lamp: [center.x + 0.2 * radius, world.box.max.y + 0.3 * radius, center.z + 0.2 * radius], light: 'sun' };
 }
 
-/** Nothing else happens on the page meanwhile. */
+/** Runs `act` while nothing else happens on the page. */
 async function alone(act) {
   if (busy) throw new Error('This page is busy: it measures or loads.');
   busy = true;
@@ -117,7 +118,10 @@ async function showModel({ name, object }, view) {
   document.title = `${name} – edgeshade beside three.js`;
 }
 
-/** Loads and shows; what goes wrong is told, and what was shown stays. Whether it is shown. */
+/**
+ * Loads a model and shows it, and returns whether it is shown. A failure is reported, and the
+ * previous model stays.
+ */
 const open = (load, view) => alone(async () => {
   const before = $('scene-name').textContent;
   tell('');
@@ -134,7 +138,7 @@ const open = (load, view) => alone(async () => {
 
 const openSample = (name) => open(samples[name].load, samples[name].view);
 
-/** What the address asks for. */
+/** Opens the model that the address names. */
 function openAddress() {
   const sample = samples[asked.model ?? 'pavilion'];
   return open(sample?.load ?? (() => modelAt(asked.model)), { ...sample?.view, ...asked.view }).then(() => {
@@ -142,7 +146,10 @@ function openAddress() {
   });
 }
 
-/** Measures, shows the table and returns the results. `options`: as Measurement has them, in place of the panel's. */
+/**
+ * Measures, shows the table and returns the results. `options`: options of Measurement, in place of
+ * the panel's.
+ */
 async function measure(options = {}) {
   tell('');
   const eye = eyeOf();
@@ -163,7 +170,7 @@ async function measure(options = {}) {
   return results;
 }
 
-/** Of the map that is shown, the right one if both are. */
+/** Tunes the map that is shown, the right one if both sides have maps. */
 async function tune() {
   const side = [state.right, state.left].find(({ name }) => methods[name].sized);
   const { reference } = methods[side.name];
@@ -185,7 +192,10 @@ const told = (act) => async () => {
   }
 };
 
-/** A part of a picture of `size` (width and height) by a method, as the address of a PNG; `part`: see cutOut(). */
+/**
+ * Draws a picture of `size` (width and height) by a method; returns a part of it as the address of
+ * a PNG. `part`: see cutOut().
+ */
 const cutOutOf = ({ name, mapSize, biases = state.biases }, size, part) => alone(() => {
   const { width, height } = size;
   world.setWholeView(width, height);
@@ -223,6 +233,6 @@ async function start() {
   };
 }
 
-/** For scripts: a promise of what start() returns. */
+/** For scripts: a promise of the value that start() returns. */
 window.comparison = start();
-window.comparison.catch(() => {}); // the user has been told
+window.comparison.catch(() => {}); // the user has been informed

@@ -1,6 +1,9 @@
-// Parts of pictures, enlarged so that their pixels can be told apart.
+// Parts of pictures, enlarged so that single pixels are visible.
 
-/** {x, y, width, height, scale} of what a canvas has just drawn, before `background`, as the address of a PNG. */
+/**
+ * Cuts {x, y, width, height, scale} out of what a canvas has just drawn, over `background`; returns
+ * the address of a PNG.
+ */
 export function cutOut(drawn, { x, y, width, height, scale }, background) {
   const canvas = document.createElement('canvas');
   canvas.width = width * scale;

@@ -1,13 +1,13 @@
-// The light of one method: a sun and a lamp of its own, of which one is lit, with maps that fit the scene.
+// The light of one method: its own sun and lamp, one of them lit, with maps that fit the scene.
 
 import { DirectionalLight, Group, Matrix4, PointLight, Vector3 } from 'three';
 
 const corner = new Vector3(), sunSpace = new Matrix4();
 
-/** How bright a white surface is that faces the light; of masks that is what is written. */
+/** Brightness of a white surface that faces the light; in masks, the value that is written. */
 const brightness = { shown: 3, mask: Math.PI };
 
-/** Corners of a Box3. */
+/** The corners of a Box3. */
 function* cornersOf({ min, max }) {
   for (const x of [min.x, max.x]) for (const y of [min.y, max.y]) for (const z of [min.z, max.z]) yield corner.set(x, y, z);
 }
@@ -24,14 +24,14 @@ export class LightRig {
     for (const light of [this.#sun, this.#lamp]) if (mapSize) light.shadow.mapSize.set(mapSize, mapSize);
   }
 
-  /** The one that is lit. */
+  /** The light that is on. */
   get light() {
     return this.#lamp.visible ? this.#lamp : this.#sun;
   }
 
   /**
-   * `light`: {kind: 'sun', direction: towards it} or {kind: 'lamp', position}; `scene`: {box, radius, center};
-   * `biases`: three.js's {bias, normalBias}.
+   * `light`: {kind: 'sun', direction: towards it} or {kind: 'lamp', position}; `scene`: {box,
+   * radius, center}; `biases`: three.js's {bias, normalBias}.
    */
   aim(light, { box, radius, center }, look, { bias, normalBias }) {
     const isSun = light.kind === 'sun';
@@ -41,7 +41,7 @@ export class LightRig {
     if (isSun) this.#aimSun(light.direction, box, radius, center);
     else this.#placeLamp(light.position, radius, center);
     this.#sun.intensity = brightness[look];
-    // As bright as the sun at 0.4 radii from it; of masks everywhere.
+    // The lamp is as bright as the sun at a distance of 0.4 radii; in masks it is so everywhere.
     Object.assign(this.#lamp, look === 'mask' ? { decay: 0, intensity: brightness.mask }
       : { decay: 2, intensity: brightness.shown * (0.4 * radius) ** 2 });
   }
@@ -50,7 +50,7 @@ export class LightRig {
     const sun = this.#sun, lens = sun.shadow.camera;
     sun.target.position.copy(center);
     sun.position.set(...direction).setLength(2 * radius).add(center);
-    // As tight as the box allows.
+    // Fits the sun's map as tightly as the box allows.
     sunSpace.lookAt(sun.position, center, sun.up).setPosition(sun.position).invert();
     const [low, high] = [new Vector3(Infinity, Infinity, Infinity), new Vector3(-Infinity, -Infinity, -Infinity)];
     for (const at of cornersOf(box)) {
@@ -72,13 +72,13 @@ export class LightRig {
     lens.updateProjectionMatrix();
   }
 
-  /** Width, height and depth of what the sun's map holds. */
+  /** Width, height and depth that the sun's map covers. */
   get sunExtent() {
     const { left, right, top, bottom, near, far } = this.#sun.shadow.camera;
     return new Vector3(right - left, top - bottom, far - near);
   }
 
-  /** Whether every frame draws the map anew. */
+  /** Whether every frame redraws the map. */
   set redraws(always) {
     for (const { shadow } of [this.#sun, this.#lamp]) shadow.autoUpdate = always;
   }
@@ -95,7 +95,7 @@ export function releaseMaps(shadow) {
   shadow.map = shadow.mapPass = null;
 }
 
-/** What a map has on the GPU: its depths, and colours that three.js makes beside them. */
+/** Size of a map on the GPU: its depths, and the colours that three.js allocates with them. */
 export function bytesOfMaps({ map, mapPass }) {
   if (!map) return 0;
   const texels = map.width * map.height * (map.isWebGLCubeRenderTarget ? 6 : 1);

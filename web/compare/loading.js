@@ -1,10 +1,13 @@
-// What a model's exact shadows take until they are there, and whether they hold up the page meanwhile.
+// Time until a model's exact shadows are ready, and whether they block the page meanwhile.
 
 import { finish, frameStart } from './timing.js';
 
 const nextTask = () => new Promise((resolve) => { setTimeout(resolve); });
 
-/** Milliseconds of a first frame until it is finished: programs are compiled, and the model is uploaded. */
+/**
+ * Milliseconds of a first frame until it is finished, including compiling programs and uploading
+ * the model.
+ */
 function firstFrame(world, draw) {
   const since = performance.now();
   draw();
@@ -13,9 +16,10 @@ function firstFrame(world, draw) {
 }
 
 /**
- * Draws frames by each of `draws` {none, map, exact}, the last one until all exact shadows are there. {none_ms, map_ms}:
- * the first frames of the others; of exact ones from then on {milliseconds, frames, longest_call_ms, long_tasks_ms}:
- * tasks of the page above 50 ms, null where the browser doesn't tell.
+ * Draws frames by each of `draws` {none, map, exact}, the last one until all exact shadows are
+ * ready. Returns {none_ms, map_ms, milliseconds, frames, longest_call_ms, long_tasks_ms}: the first
+ * two for the first frames of the others, the rest for exact shadows. Long tasks are the page's
+ * tasks above 50 ms, null if the browser doesn't report them.
  */
 export async function watchLoading(world, draws) {
   const none_ms = firstFrame(world, draws.none);
@@ -35,7 +39,7 @@ export async function watchLoading(world, draws) {
     longest = Math.max(longest, performance.now() - since);
     frames += 1;
     waited ??= world.exact.ready().finally(() => { ready = true; });
-    waited.catch(() => {}); // it is awaited below
+    waited.catch(() => {}); // awaited below
   } while (!ready);
   await waited;
   const milliseconds = performance.now() - began;

@@ -1,5 +1,6 @@
-// Frames of three.js with a light at rest, in one run of Chromium: looked up, masked, and by three.js's own map, which it
-// keeps, on the sample with its own materials. Prints JSON. Needs build/web and `npm ci`.
+// Frame times of three.js with a resting light, in one run of Chromium: with a lookup, with masks,
+// and with three.js's own map, which it keeps, on the sample with its own materials. Prints JSON.
+// Needs build/web and `npm ci`.
 //
 //   node compare/lookup.mjs [--size 640x360] [--frames 15] [--angle swiftshader|gl-egl]
 
@@ -14,7 +15,10 @@ const { values: options } = parseArgs({ options: {
 } });
 const [width, height] = options.size.split('x').map(Number);
 
-/** In the page: milliseconds of each frame by each way, in turn, the camera moving; what the map took. */
+/**
+ * In the page: milliseconds of each frame by each method, in turn, with a moving camera; also the
+ * cost of building the map.
+ */
 async function measured({ wide, frames }) {
   const { three, ExactShadows, rendererOf, loaded, cameraOf, lampOf, rested } = window.page;
   const renderer = rendererOf(wide);

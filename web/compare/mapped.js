@@ -1,10 +1,10 @@
-// three.js's own maps, and a filter of ours for them.
+// three.js's own maps, and this project's filter for them.
 
 import { ShaderChunk } from 'three';
 import { extentOf, Method } from './method.js';
 import { withPcss } from './pcss.glsl.js';
 
-/** `type`: three.js's name of what it filters by. */
+/** `type`: three.js's name of the filter. */
 export class Mapped extends Method {
   constructor(world, id, mapSize, { type }) {
     super(world, id, mapSize);
@@ -27,7 +27,8 @@ export class Pcss extends Mapped {
       Object.assign(shader.uniforms, this.#uniforms);
       shader.fragmentShader = withPcss(shader.fragmentShader, ShaderChunk);
     };
-    material.customProgramCacheKey = () => this.id; // programs keep the uniforms that they were made with
+    material.customProgramCacheKey = () => this.id; // programs keep the uniforms they were compiled
+                                                    // with
   }
 
   render(frame) {

@@ -1,5 +1,5 @@
-// Scenes of one feature of glTF's materials each, for pictures beside another renderer's: rows of
-// spheres with textures of their own, made here.
+// Scenes that show one feature of glTF's materials each, to compare with another renderer: rows of
+// spheres with textures made here.
 
 import { dataUri, pngOf } from '../tests/support/png.mjs';
 
@@ -34,10 +34,10 @@ const texels = (colorOf) => Uint8Array.from({ length: 4 * side * side }, (_, at)
 const bytes = (color) => color.map((value) => Math.round(255 * value));
 const wave = (t) => 0.5 + 0.5 * Math.sin(2 * Math.PI * t);
 
-/** What the scenes' textures show, by name. */
+/** The contents of the scenes' textures, by name. */
 const textures = {
   patches: (u, v) => bytes([0.2 + 0.7 * wave(u), 0.2 + 0.6 * wave(v), 0.5, 1]),
-  // Waves across and down, steep enough to see from which side they are lit.
+  // Waves across and down, steep enough to show the side from which they are lit.
   bumps: (u, v) => {
     const [x, y] = [0.45 * Math.cos(4 * Math.PI * u), 0.45 * Math.cos(4 * Math.PI * v)];
     const length = Math.hypot(x, y, 1);
@@ -112,7 +112,7 @@ const factors = (metallicFactor, roughnessFactor, color = [0.8, 0.45, 0.2]) =>
   ({ pbrMetallicRoughness: { baseColorFactor: [...color, 1], metallicFactor, roughnessFactor } });
 const steps = [0.1, 0.3, 0.5, 0.7, 1];
 
-/** Each feature: what of five spheres its builder makes. */
+/** Each feature: the content of five spheres, for its builder. */
 const features = {
   'dielectrics, roughness 0.1 to 1': () => steps.map((roughness) => ({ material: factors(0, roughness) })),
   'metals, roughness 0.1 to 1': () => steps.map((roughness) => ({ material: factors(1, roughness, [0.9, 0.7, 0.4]) })),
@@ -161,15 +161,15 @@ const features = {
     alphaMode: 'BLEND', pbrMetallicRoughness: { baseColorFactor: [0.3, 0.5, 0.8, alpha], metallicFactor: 0, roughnessFactor: 0.4 } } })),
 };
 
-/** {name, gltf} of every feature; gltf: the bytes of a .gltf without further files. */
+/** {name, gltf} of every feature; gltf: the bytes of a self-contained .gltf. */
 export const materialScenes = () => Object.entries(features).map(([name, spheresOf]) => {
   const builder = new Builder();
   spheresOf(builder).forEach((of, i) => builder.add(of, 2.2 * (i - 2)));
   return { name, gltf: builder.gltf() };
 });
 
-/** An equirectangular Radiance picture: sky, horizon, ground, and windows of two colours. Its middle
- * column is `middle`, an angle around +Y from -Z towards +X. */
+/** An equirectangular Radiance picture: sky, horizon, ground, and windows of two colours. Its
+ * middle column shows the direction `middle`, an angle around +Y from -Z towards +X. */
 export function panorama({ width = 128, height = 64, middle = 0 } = {}) {
   const content = Buffer.alloc(4 * width * height);
   for (let y = 0; y < height; ++y)
@@ -192,7 +192,10 @@ export function panorama({ width = 128, height = 64, middle = 0 } = {}) {
   return Buffer.concat([Buffer.from(`#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y ${height} +X ${width}\n`, 'latin1'), content]);
 }
 
-/** What the panorama sends back on average, as edgeshade scales it away: by solid angle and luminance. */
+/**
+ * Mean light of the panorama, weighted by solid angle and luminance, as edgeshade computes it for
+ * scaling.
+ */
 export function meanOf(picture) {
   const start = picture.indexOf('\n', picture.indexOf('-Y')) + 1;
   const [, height, width] = /-Y (\d+) \+X (\d+)/.exec(picture.toString('latin1', 0, start)).map(Number);

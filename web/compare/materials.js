@@ -1,4 +1,4 @@
-// A scene as three.js's physical material draws it, in the light that edgeshade's picture has.
+// A scene drawn with three.js's physical material, in the same light as edgeshade's picture.
 
 import {
   Color, DirectionalLight, EquirectangularReflectionMapping, MeshPhysicalMaterial,
@@ -12,8 +12,9 @@ export { REVISION } from 'three';
 
 const colorOf = ([r, g, b]) => new Color().setRGB(r, g, b);
 
-/** KHR_materials_pbrSpecularGlossiness, which three.js reads no more: a dielectric whose reflectance
- * at normal incidence, 0.04 of its specular colour, is what the file says. Textures are left out. */
+/** KHR_materials_pbrSpecularGlossiness, which three.js no longer reads: a dielectric whose
+ * reflectance at normal incidence, 0.04 of its specular colour, equals the file's. Textures are
+ * left out. */
 const specularGlossiness = (parser) => {
   const saidOf = (index) => parser.json.materials[index].extensions?.KHR_materials_pbrSpecularGlossiness;
   return {
@@ -31,8 +32,8 @@ const specularGlossiness = (parser) => {
   };
 };
 
-/** What three.js multiplies a lamp's reflections on rough metals by, for light that facets reflect
- * more than once, which the specification's appendix B leaves out. */
+/** The factor by which three.js multiplies a lamp's reflections on rough metals, for light that
+ * facets reflect more than once. The specification's appendix B leaves this out. */
 const compensation = 'material.specularColorBlended * ( 1.0 / EssMs - 1.0 )';
 const chunk = 'lights_fragment_begin';
 const original = ShaderChunk[chunk];
@@ -44,9 +45,9 @@ function setCompensation(wanted) {
 
 const addressOf = (base64) => `data:application/octet-stream;base64,${base64}`;
 
-/** Draws a .gltf's bytes. `environment`: a Radiance picture's bytes, scaled by environmentIntensity;
- * all bytes in base64. `reflectsOnce`: without what facets reflect of the lamp more than once. Returns a
- * PNG in base64. */
+/** Draws a .gltf's bytes; returns a PNG in base64. `environment`: a Radiance picture's bytes,
+ * scaled by environmentIntensity; all bytes are in base64. `reflectsOnce`: leaves out light of the
+ * lamp that facets reflect more than once. */
 async function draw({ gltf, width, height, camera, sun, lux, background, environment, environmentIntensity, reflectsOnce }) {
   setCompensation(!reflectsOnce);
   const renderer = new WebGLRenderer({ canvas: document.getElementById('three'), antialias: false, preserveDrawingBuffer: true });
@@ -58,7 +59,8 @@ async function draw({ gltf, width, height, camera, sun, lux, background, environ
   const scene = new Scene();
   const loaded = await loader.loadAsync(addressOf(gltf));
   loaded.scene.traverse(({ material }) => {
-    if (material?.isMeshBasicMaterial) material.toneMapped = false; // unlit: the file's very colours
+    if (material?.isMeshBasicMaterial) material.toneMapped = false; // unlit: the file's exact
+                                                                    // colours
   });
   scene.add(loaded.scene);
   const light = new DirectionalLight(0xffffff, lux);
@@ -81,8 +83,8 @@ async function draw({ gltf, width, height, camera, sun, lux, background, environ
   return png;
 }
 
-/** {a, b}: PNGs in base64. {mean, most, pixels}: how far their colours are apart, in 8-bit values,
- * where either shows something other than the background. */
+/** Compares two PNGs in base64, {a, b}. Returns {mean, most, pixels}: the difference of their
+ * colours, in 8-bit values, where either shows something other than the background. */
 async function apart({ a, b, background }) {
   const [first, second] = await Promise.all([a, b].map(async (base64) => {
     const bytes = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
@@ -107,7 +109,10 @@ async function apart({ a, b, background }) {
   return { mean: sum / (3 * pixels), most, pixels };
 }
 
-/** `pictures`: rows of PNGs in base64. One picture of all, `width` x `height` each; a PNG in base64. */
+/**
+ * Joins `pictures`, rows of PNGs in base64, `width` x `height` each, into one picture; returns a
+ * PNG in base64.
+ */
 async function sheet({ pictures, width, height }) {
   const canvas = document.createElement('canvas');
   canvas.width = pictures[0].length * width;

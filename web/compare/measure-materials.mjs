@@ -1,10 +1,11 @@
-// Pictures of materials by edgeshade beside three.js's: writes the table of docs/measured/materials.md
-// and a sheet of both to docs/pictures. Needs build/release/edgeshade and `npm ci`.
+// Draws pictures of materials by edgeshade and three.js: writes the table of
+// docs/measured/materials.md and a sheet of both to docs/pictures. Needs build/release/edgeshade
+// and `npm ci`.
 //
 //   node compare/measure-materials.mjs [--only NAME,NAME] [--keep FOLDER]
 //
-// --only draws those whose name holds one of these; --keep leaves all pictures in a folder, and writes
-// nothing else.
+// --only draws the scenes whose name contains one of these; --keep leaves all pictures in a folder,
+// and writes nothing else.
 
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -21,7 +22,7 @@ const wanted = options.only.split(',');
 
 const view = { width: 600, height: 150, camera: { from: [0, 0.8, 10], to: [0, 0, 0], fov: 16.2 },
   sun: [0.5, 0.8, 1], lux: 2.5, background: [0.86, 0.89, 0.92] };
-const ambient = 0.6; // as the display shows it
+const ambient = 0.6; // in display values
 const shownAs = (displayed) => displayed ** 2.2; // light
 
 const program = process.env.EDGESHADE_PROGRAM ?? join(repository, 'build/release/edgeshade');
@@ -40,7 +41,7 @@ function edgeshade(name, gltf, surroundings) {
   return readFileSync(png);
 }
 
-// The middle of three.js's panoramas looks along +X.
+// The middle of three.js's panoramas faces +X.
 const around = panorama({ middle: Math.PI / 2 });
 const base64 = (bytes) => bytes.toString('base64');
 

@@ -1,5 +1,5 @@
-// What a frame costs in Chromium that shows another pose than the last one: the figures of
-// docs/measured/posing.md, as JSON. Needs build/web and `npm ci`.
+// Cost in Chromium of a frame with a new pose: the figures of docs/measured/posing.md, as JSON.
+// Needs build/web and `npm ci`.
 //
 //   node compare/measure-posing.mjs FILE.glb
 
@@ -13,8 +13,8 @@ const sides = {
   'map 2048': { shadows: 'map', map_size: 2048 },
 };
 
-/** In the page: loads the scene and draws `frames` of each side, with another pose each, then with
- * the same one. A frame is timed until its picture is there; means of the last 30. */
+/** In the page: loads the scene and draws `frames` of each side, with a new pose each, then with
+ * the same pose. A frame is timed until its picture is finished; means of the last 30. */
 async function measure({ base64, wanted, frames }) {
   const viewer = document.querySelector('edgeshade-viewer');
   Object.assign(viewer.style, { width: '960px', height: '540px' });
@@ -28,7 +28,7 @@ async function measure({ base64, wanted, frames }) {
   const told = {};
   for (const [name, side] of Object.entries(wanted)) {
     await drawn({ left: side });
-    viewer.stats; // frames are waited for from now on
+    viewer.stats; // from now on frames are timed until they are finished
     for (let frame = 0; frame < frames; ++frame)
       await drawn({ time: (frame / 30) % viewer.animationSeconds });
     const moving = viewer.stats;

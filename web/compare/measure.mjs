@@ -1,11 +1,14 @@
-// Opens the comparison in a headless Chromium: writes pictures of both to docs/pictures, and figures to results.json
-// beside this file and to the tables of docs/threejs.md. Needs build/web and `npm ci`.
+// Opens the comparison in a headless Chromium: writes pictures of both to docs/pictures, and
+// figures to results.json beside this file and to the tables of docs/threejs.md. Needs build/web
+// and `npm ci`.
 //
-//   node compare/measure.mjs [--only pictures|times|loading|tables] [--frames N] [--rounds N] [--size WxH]
+//   node compare/measure.mjs [--only pictures|times|loading|tables] [--frames N] [--rounds N]
+//   [--size WxH]
 //                            [--angle swiftshader|gl-egl] [--serve]
 //
-// --angle is what Chromium draws with; the pictures were taken with gl-egl, Mesa's software. --only leaves the other
-// figures in results.json as they are, `tables` all. --serve writes nothing and serves the page until Ctrl-C.
+// --angle selects the GL that Chromium draws with; the pictures were taken with gl-egl, Mesa's
+// software. --only keeps the other figures in results.json, `tables` keeps all. --serve writes
+// nothing and serves the page until Ctrl-C.
 
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -22,7 +25,7 @@ const { values: options } = parseArgs({ options: {
   serve: { type: 'boolean', default: false },
 } });
 
-/** What is measured, by name in results.json; lamps have neither cascades nor VSM. */
+/** The measured methods, by name in results.json; lamps have neither cascades nor VSM. */
 const common = [{ name: 'exact' }, ...[1024, 2048, 4096].map((mapSize) => ({ name: 'pcf', mapSize })),
   { name: 'basic', mapSize: 2048 }, { name: 'pcss', mapSize: 2048 }];
 const scenes = {
@@ -30,7 +33,10 @@ const scenes = {
   indoor_lamp: { query: '?model=room', contenders: [...common, { name: 'none' }] },
 };
 
-/** Parts of pictures, enlarged: exact; three.js's map as it is by default; a larger one with its best biases. */
+/**
+ * Enlarged parts of pictures: exact; three.js's map with its defaults; a larger one with its best
+ * biases.
+ */
 const pictures = {
   outdoor: { query: '?model=pavilion&camera=0.8,5.6,6.6,4.2,2.5,1.6,26', part: { x: 150, y: 30, width: 320, height: 200, scale: 2 } },
   spokes: { query: '?model=pavilion&camera=-2.9,1.1,6.7,-2.45,0.2,4.7,36', part: { x: 190, y: 60, width: 320, height: 200, scale: 2 } },
@@ -68,7 +74,9 @@ async function timesOf(tab, { query, contenders }) {
     { contenders, frames: Number(options.frames), rounds: Number(options.rounds), width, height });
 }
 
-/** Whether the page is held up while the exact shadows of 150,000 triangles are made, and by one frame of a map. */
+/**
+ * Whether building the exact shadows of 150,000 triangles blocks the page, and one frame of a map.
+ */
 async function loadingOf(tab) {
   const shown = await open(tab, '?model=room');
   return shown.evaluate(async (comparison) => {
@@ -82,7 +90,9 @@ async function loadingOf(tab) {
 const whole = (value) => Math.round(value).toLocaleString('en');
 const percent = (value) => (value === null ? '' : value.toFixed(2));
 
-/** Results as docs/threejs.md has them: the fastest frames, since a machine that is busy makes the others slower. */
+/**
+ * Results as docs/threejs.md shows them: the fastest frames, since a busy machine slows the others.
+ */
 const tableOf = ({ results }) => [
   '| | light moves, ms | to exact | light rests, ms | to exact | MB on the GPU | wrong pixels, % | beyond 1 px, % |',
   '| --- | --- | --- | --- | --- | --- | --- | --- |',
@@ -93,7 +103,7 @@ const tableOf = ({ results }) => [
   }),
 ].join('\n');
 
-/** Figures of before, with these in place of their own; the document's tables of them. */
+/** Replaces these figures among the older ones, and rewrites the document's tables. */
 function write(figures) {
   const all = { ...(existsSync(file) && JSON.parse(readFileSync(file, 'utf8'))), ...figures };
   writeFileSync(file, `${JSON.stringify(all, null, 2)}\n`);

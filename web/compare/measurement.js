@@ -1,4 +1,5 @@
-// Frame times and wrong pixels of several methods in one run, with a light that moves and one that rests.
+// Frame times and wrong pixels of several methods in one run, with a moving light and a resting
+// one.
 
 import { REVISION, Vector3 } from 'three';
 import { accuracyOf, maskLook } from './accuracy.js';
@@ -15,24 +16,27 @@ function rendererOf(context) {
 
 const browserOf = (agent) => /Edg\/[\d.]+|OPR\/[\d.]+|Chrom\w+\/[\d.]+|Firefox\/[\d.]+|Version\/[\d.]+/.exec(agent)?.[0] ?? agent;
 
-/** A light after so many frames of moving: a sun turns a quarter of a degree each, a lamp goes along. */
+/**
+ * The light after `frame` frames of moving: a sun turns by a quarter of a degree each, a lamp moves
+ * along x.
+ */
 function movedLight(light, frame, radius) {
   if (light.kind === 'sun') return { ...light, direction: turned.set(...light.direction).applyAxisAngle(up, 0.25 * degree * frame).toArray() };
   const [x, y, z] = light.position;
   return { ...light, position: [x + 0.003 * radius * frame, y, z] };
 }
 
-/** The camera goes around what it looks at, a tenth of a degree each frame. */
+/** Moves the camera around its target, a tenth of a degree each frame. */
 function moveEye(world, { from, to, fov }, frame, aspect) {
   world.camera.position.set(...from).sub(turned.set(...to)).applyAxisAngle(up, 0.1 * degree * frame).add(turned);
   world.camera.lookAt(...to);
   world.setLens(fov, aspect);
 }
 
-/** Of one motion, in milliseconds; `turns`: of each turn the median. */
+/** Times of one motion in milliseconds; `turns`: the median of each turn. */
 const timesOf = () => ({ frame: [], cpu: [], gpu: [], turns: [] });
 
-/** The median of what turns beside each other took, as a share of the other's. */
+/** Median ratio of turns to the turns of the other method that ran beside them. */
 const ratioOf = ({ turns }, other) => Number(median(turns.map((each, i) => each / other.turns[i])).toFixed(3));
 
 const percent = (count, of) => Number(((100 * count) / Math.max(of, 1)).toFixed(4));
@@ -43,18 +47,20 @@ export class Measurement {
   #gpu;
 
   /**
-   * `asked`: {contenders: [{name, mapSize}], frames: of each motion, in `rounds` turns, width, height, light, eye,
-   * biases, softness, ambient, model, loading; warmUp: frames that each turn begins with, not counted; patience:
-   * seconds that a resting light is waited for to be looked up; onProgress(text)}.
+   * `asked`: {contenders: [{name, mapSize}], frames: of each motion, in `rounds` turns, width,
+   * height, light, eye, biases, softness, ambient, model, loading; warmUp: frames at the start of
+   * each turn that aren't counted; patience: seconds to wait for a resting light to be looked up;
+   * onProgress(text)}.
    */
   constructor(world, asked) {
     this.#world = world;
     this.#asked = { frames: 30, rounds: 3, warmUp: 2, patience: 5, onProgress: () => {}, ...asked };
-    this.#asked.rounds = Math.min(this.#asked.rounds, this.#asked.frames); // at least a frame each
+    this.#asked.rounds = Math.min(this.#asked.rounds, this.#asked.frames); // at least one frame
+                                                                           // each
     this.#gpu = new GpuTimer(world.context);
   }
 
-  /** The results, as they are saved. */
+  /** Runs all measurements; returns the results in the form in which they are saved. */
   async run() {
     const { rounds, width, height, contenders, onProgress } = this.#asked;
     if (contenders.length === 0) throw new Error('There is nothing to measure: tick a method, and a size if it is a map.');
@@ -73,7 +79,7 @@ export class Measurement {
     return this.#report(rows, accuracy);
   }
 
-  /** All that casts has exact shadows from here on. */
+  /** Waits until all casters have exact shadows. */
   async #prepareExact() {
     const { width, height, eye } = this.#asked;
     moveEye(this.#world, eye, 0, width / height);
@@ -86,7 +92,7 @@ export class Measurement {
     return { light, biases, softness, look: 'shown', redraws: true, ...changes };
   }
 
-  /** Frames of one method, one motion and one round. */
+  /** Runs the frames of one method, one motion and one round. */
   async #turn({ contender: { name }, method, ...motions }, motion, round) {
     const { frames, rounds, warmUp, patience, light, width, height, eye } = this.#asked;
     const world = this.#world, times = motions[motion];
@@ -96,7 +102,8 @@ export class Measurement {
       moveEye(world, eye, rest ? i : 0, width / height);
       method.draw(this.#frame({ redraws, ...(!rest && { light: movedLight(light, i, world.radius) }) }));
     };
-    // What is made in the first frames isn't counted, nor what comes before a resting light is looked up, if it will be.
+    // Not counted: preparations in the first frames, and the time until a resting light is looked
+    // up, if it will be.
     const end = performance.now() + 1000 * patience;
     const waits = () => rest && name === 'exact' && world.exact.cost?.lookedUp === 0 && performance.now() < end;
     for (let i = 0; i < warmUp || waits(); ++i) {
@@ -124,7 +131,7 @@ export class Measurement {
 
   #bytes = new Map();
 
-  /** By contender: what accuracyOf() tells. */
+  /** The results of accuracyOf(), by contender. */
   #accuracyOf(rows) {
     const { width, height, eye } = this.#asked;
     const world = this.#world, references = new Map();

@@ -1,16 +1,17 @@
-// A way of drawing shadows: draw(frame) draws the world in the current target and viewport, bytes() says what it has on
-// the GPU, release() frees what one light's maps take.
+// A way of drawing shadows: draw(frame) draws the world in the current target and viewport, bytes()
+// returns its size on the GPU, release() frees the maps of one light.
 //
-// A frame is {light, look, biases, softness, redraws}: see LightRig.aim(); `softness`: the light's extent, degrees of a
-// sun's disc, hundredths of the scene's radius of a lamp; `redraws`: whether something that casts may have moved.
+// A frame is {light, look, biases, softness, redraws}: see LightRig.aim(); `softness`: the light's
+// extent, in degrees of a sun's disc or hundredths of the scene's radius for a lamp; `redraws`:
+// whether a caster may have moved.
 
 import { bytesOfMaps, LightRig } from './light-rig.js';
 
-/** A sun's half angle in radians, a lamp's radius. */
+/** A sun's half angle in radians, or a lamp's radius. */
 export const extentOf = ({ light, softness }, radius) =>
   (light.kind === 'sun' ? (0.5 * softness * Math.PI) / 180 : 0.01 * softness * radius);
 
-/** What methods have in common: a rig that is lit while they draw, and copies of the materials. */
+/** Common base of methods: a rig that is lit while they draw, and copies of the materials. */
 export class Method {
   constructor(world, id, mapSize) {
     this.world = world;
@@ -19,7 +20,7 @@ export class Method {
     world.scene.add(this.rig.group);
   }
 
-  /** What it makes of a copy of the file's materials. */
+  /** Changes a copy of one of the file's materials. */
   change() {}
 
   draw(frame) {

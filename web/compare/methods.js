@@ -1,11 +1,11 @@
-// All ways of drawing shadows that are compared.
+// All compared ways of drawing shadows.
 
 import { BasicShadowMap, PCFShadowMap, VSMShadowMap } from 'three';
 import { Cascades } from './cascades.js';
 import { Mapped, Pcss } from './mapped.js';
 import { extentOf, Method } from './method.js';
 
-/** Sizes that maps come in, texels a side; of a lamp each of six. */
+/** Sizes of maps, in texels per side; a lamp has six maps of that size. */
 export const mapSizes = [512, 1024, 2048, 4096];
 
 class Unshadowed extends Method {
@@ -43,9 +43,9 @@ class Exact extends Method {
 const map = { sized: true, reference: 'exact', keepsMap: true };
 
 /**
- * By name, in the order of tables. `lights`: which it draws shadows of; `sized`: whether it has maps of a size;
- * `reference`: the method whose shadows it means to draw; `keepsMap`: whether its map is right as long as the light
- * rests, whatever the camera does.
+ * Methods by name, in the order of tables. `lights`: the lights whose shadows it draws; `sized`:
+ * whether it has maps of a size; `reference`: the method whose shadows it approximates; `keepsMap`:
+ * whether its map stays valid while the light rests, whatever the camera does.
  */
 export const methods = {
   exact: { label: 'edgeshade', Kind: Exact, soft: false, lights: ['sun', 'lamp'], reference: 'exact' },
@@ -58,7 +58,7 @@ export const methods = {
   none: { label: 'No shadows', Kind: Unshadowed, lights: ['sun', 'lamp'], reference: null },
 };
 
-/** A method's name with its map's size, as addresses and results have it: 'pcf-2048'. */
+/** A method's name with its map's size, as in addresses and results: 'pcf-2048'. */
 export const idOf = (name, mapSize) => (methods[name].sized ? `${name}-${mapSize}` : name);
 
 export const labelOf = (name, mapSize) => (methods[name].sized ? `${methods[name].label}, ${mapSize}` : methods[name].label);

@@ -1,4 +1,4 @@
-// Models of glTF for three.js: from an address, from files that were dropped, or drawn here.
+// glTF models for three.js: from an address, from dropped files, or drawn here.
 
 import { LoadingManager } from 'three';
 import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
@@ -9,7 +9,7 @@ import { sceneAmong } from '../element/files.js';
 
 const lastPart = (path) => path.slice(path.lastIndexOf('/') + 1);
 
-/** Addresses of the files in memory, for the names that a .gltf has of them. */
+/** Addresses of the files in memory, by the names that a .gltf uses for them. */
 class MemoryFiles {
   #addresses = new Map();
 
@@ -17,7 +17,7 @@ class MemoryFiles {
     for (const [path, content] of files) this.#addresses.set(path, URL.createObjectURL(new Blob([content])));
   }
 
-  /** A file that was dropped without its folder stands in for the one named with it. */
+  /** A file that was dropped without its folder stands in for the one that the .gltf names. */
   addressOf(address, base) {
     const named = address.startsWith(base) ? address.slice(base.length) : address;
     if (/^(data|blob):/.test(named)) return address;
@@ -54,14 +54,14 @@ async function objectOf(name, files, base) {
   }
 }
 
-/** {name, object}. Throws an Error whose message is a sentence, as the next. */
+/** Returns {name, object}. Throws an Error whose message is a sentence, as modelAmong() does. */
 export async function modelAt(address) {
   const url = new URL(address, location.href);
   const { name, files } = await download(url, () => {});
   return { name, object: await objectOf(name, files, new URL('.', url).href) };
 }
 
-/** Of Files that a user hands over. */
+/** The same for Files that a user hands over. */
 export async function modelAmong(handed) {
   const { name, files } = sceneAmong(handed);
   return { name, object: await objectOf(name, new Map(files.map(({ path, blob }) => [path, blob])), '') };

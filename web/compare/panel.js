@@ -1,4 +1,4 @@
-// The panel's controls, kept equal to the page's state in both directions.
+// The panel's controls, in sync with the page's state in both directions.
 
 import { slider } from '../page/inputs.js';
 import { mapSizes, methods } from './methods.js';
@@ -23,7 +23,7 @@ function tick(box, value, words, on) {
 
 const tickedIn = (box) => [...box.querySelectorAll('input:checked:not(:disabled)')].map(({ value }) => value);
 
-/** The left or the right method. */
+/** Controls of the left or the right method. */
 function sideControls(side, state, change) {
   const [method, size] = [$(side), $(`${side}-size`)];
   for (const [name, { label }] of Object.entries(methods)) method.append(new Option(label, name));
@@ -58,7 +58,10 @@ function lampSlider(axis, i, state, change) {
   };
 }
 
-/** `state()`: the page's; `change(part)` of it. {refresh(), wanted(): {contenders, frames, width, height}}. */
+/**
+ * `state()` returns the page's state; `change(part)` changes part of it. Returns {refresh(),
+ * wanted(): {contenders, frames, width, height}}.
+ */
 export function connectPanel(state, change) {
   const shows = [
     ((show) => ({ layout }) => show(layout))(radios('layout', (layout) => change({ layout }))),

@@ -1,8 +1,8 @@
-// Percentage-closer soft shadows (Fernando 2005) of one extended light, out of three.js's own maps: how far the
-// blockers around are above a surface says how wide its shadow's edge is. Put in place of the one lookup that
-// three.js does without a filter (BasicShadowMap).
+// Percentage-closer soft shadows (Fernando 2005) of one extended light, from three.js's own maps:
+// the height of the blockers above a surface gives the width of its shadow's edge. Replaces the
+// single lookup that three.js makes without a filter (BasicShadowMap).
 
-/** Lookups of each of the two steps. */
+/** Lookups in each of the two steps. */
 const taps = 24;
 
 const functions = /* glsl */`

@@ -1,4 +1,4 @@
-// The picture: two methods beside each other, or one at each side of a line.
+// The picture: two methods side by side, or one on each side of a line.
 
 export class Picture {
   #world;
@@ -7,7 +7,7 @@ export class Picture {
     this.#world = world;
   }
 
-  /** `state`: as the page has it; `frame`: as methods take it. */
+  /** `state`: the page's; `frame`: for the methods. */
   draw({ layout, splitAt, left, right, fov }, frame) {
     const { renderer } = this.#world;
     const { clientWidth, clientHeight } = renderer.domElement;
@@ -22,7 +22,7 @@ export class Picture {
     renderer.setScissorTest(false);
   }
 
-  /** `view`, `shown`: beginning and width of what is drawn and of the part of it that is seen. */
+  /** `view`, `shown`: start and width of the drawn picture and of its visible part. */
   #part({ name, mapSize }, frame, view, shown, height) {
     if (shown[1] < 1) return;
     const { renderer } = this.#world;

@@ -9,7 +9,7 @@ const spread = (times, more = '') => (times ? [milliseconds(times.median), `${mi
 const times = (ratio) => (ratio === null ? none : `${ratio.toFixed(2)} ×`);
 const percent = (value) => (value === null ? none : `${value.toFixed(value < 0.1 && value > 0 ? 3 : 2)} %`);
 
-/** Columns: a heading, and the cell of a result, a text or [text, smaller text]. */
+/** Columns: a heading, and a result's cell, which is a text or [text, smaller text]. */
 const columnsOf = ({ gpu_timer: gpuTimer }) => {
   const motion = (title, key) => [
     { title: `Light ${title}, ms`, cell: ({ [key]: { frame_ms: frame, cost } }) => spread(frame, cost?.lookedUp ? ', looked up' : '') },
@@ -25,7 +25,7 @@ const columnsOf = ({ gpu_timer: gpuTimer }) => {
   ];
 };
 
-/** What the table's figures are of. */
+/** The conditions under which the table's figures were measured. */
 export function notesOf({ device, browser, processors, model, triangles, size, antialias, three_revision: revision, settings, gpu_timer: gpuTimer }) {
   return `Median of ${settings.frames} frames of ${size.width} × ${size.height} pixels until they are finished, and the ` +
     `fastest and slowest; to exact: the median of the ratios in ${settings.rounds} turns beside each other. ${model}, ${triangles.toLocaleString('en')} triangles, ` +
@@ -57,7 +57,7 @@ export function tableOf(results) {
   return table;
 }
 
-/** Hands the results to the user as a file. */
+/** Saves the results as a file of the user's. */
 export function save(results) {
   const link = document.createElement('a');
   link.href = URL.createObjectURL(new Blob([`${JSON.stringify(results, null, 2)}\n`], { type: 'application/json' }));

@@ -1,12 +1,12 @@
-// A room drawn here: what maps find hard indoors. Walls that meet, a blind before the window, things that stand
-// and things that hang.
+// A room drawn here, with the details that maps find hard indoors: walls that meet, a blind in
+// front of the window, things that stand and things that hang.
 
 import { BoxGeometry, CylinderGeometry, Group, LatheGeometry, Mesh, MeshStandardMaterial, SphereGeometry, TorusGeometry,
   Vector2 } from 'three';
 
 const paint = (color, roughness = 0.9) => new MeshStandardMaterial({ color, roughness });
 
-/** Metres; the floor's upper side is y = 0. */
+/** In metres; the floor's upper side is y = 0. */
 const size = { width: 5, height: 2.6, depth: 4, wall: 0.12 };
 
 function builder(group) {
@@ -19,7 +19,7 @@ function builder(group) {
   return { add, box: (material, extent, at) => add(new BoxGeometry(...extent), material, at) };
 }
 
-/** Walls, floor and ceiling reach into each other: where things only touch, light finds its way between them. */
+/** Walls, floor and ceiling overlap: where things only touch, light leaks between them. */
 function addShell({ box }) {
   const { width, height, depth, wall } = size;
   const [plaster, boards] = [paint(0xe9e3d8), paint(0x9b7653)];
@@ -28,7 +28,7 @@ function addShell({ box }) {
   box(plaster, [wide, wall, deep], [0, height + wall / 2, 0]);
   for (const side of [-1, 1]) box(plaster, [wide, high, wall], [0, height / 2, (side * (depth + wall)) / 2]);
   box(plaster, [wall, high, deep], [(width + wall) / 2, height / 2, 0]);
-  // The left wall has a window from z = -1.2 to 0.6, 0.9 to 2.2 high.
+  // The left wall has a window, z from -1.2 to 0.6 and y from 0.9 to 2.2.
   const x = -(width + wall) / 2, [low, top] = [-wall, height + wall], [back, front] = [-deep / 2, deep / 2];
   const part = ([y0, y1], [z0, z1]) => box(plaster, [wall, y1 - y0, z1 - z0], [x, (y0 + y1) / 2, (z0 + z1) / 2]);
   part([low, top], [back, -1.2]);
@@ -91,7 +91,7 @@ function addShelf({ box }) {
     }
 }
 
-/** A Group. */
+/** Builds the room as a Group. */
 export function room() {
   const group = new Group();
   const parts = builder(group);

@@ -1,9 +1,9 @@
-// What can be shown without a file of one's own, each with its view.
+// The models that need no file of the user's, each with its view.
 
 import { modelAt } from './model.js';
 import { room } from './room.js';
 
-/** `view`: camera, sun (compass and height, degrees), lamp, and which of these is on. */
+/** `view`: camera, sun (compass and height in degrees), lamp, and which of the two lights is on. */
 export const samples = {
   pavilion: {
     name: 'Pavilion',

@@ -1,12 +1,15 @@
-// What a model's surfaces are drawn with: the file's own materials, one copy for every method, since methods
-// change their shaders; or masks, white where the light reaches and black elsewhere.
+// Materials of a model's surfaces. Each method has its own copies of the file's materials, since
+// methods change their shaders; or masks, white where the light reaches and black elsewhere.
 
 import { DataTexture, MeshToonMaterial, NearestFilter } from 'three';
 
 const isOpaque = ({ transparent, alphaTest, alphaMap, alphaHash, transmission }) =>
   !transparent && !(alphaTest > 0) && !alphaMap && !alphaHash && !(transmission > 0);
 
-/** Of the normal's side of a surface all, of the other nothing: shadows there are none that a picture shows. */
+/**
+ * A step from dark to light: the side that the normal points to gets all light, the other side
+ * none, where a picture shows no shadow.
+ */
 function steps() {
   const texture = new DataTexture(new Uint8Array([0, 0, 0, 255, 255, 255, 255, 255]), 2, 1);
   texture.minFilter = texture.magFilter = NearestFilter;
@@ -26,10 +29,12 @@ function maskOf(material, gradientMap) {
 
 export class Skins {
   #meshes = []; // {mesh, material: the file's}
-  #worn = new Map(); // name: Map of the file's material to the copy
+  #worn = new Map(); // by name: a Map from the file's material to the copy
   #gradientMap = steps();
 
-  /** Opaque surfaces cast and receive; see-through and cut-out ones do neither, whatever draws their shadows. */
+  /**
+   * Opaque surfaces cast and receive; see-through and cut-out ones do neither, for every method.
+   */
   constructor(model) {
     model.traverse((object) => {
       if (!object.isMesh) return;
@@ -39,12 +44,12 @@ export class Skins {
     });
   }
 
-  /** Meshes that neither cast nor receive. */
+  /** Number of meshes that neither cast nor receive. */
   get without() {
     return this.#meshes.filter(({ mesh }) => !mesh.castShadow).length;
   }
 
-  /** `look`: 'shown' or 'mask'; `change(material)`: what the method `name` makes of a copy. */
+  /** `look`: 'shown' or 'mask'; `change(material)`: how the method `name` changes a copy. */
   wear(name, look, change) {
     const key = `${name} ${look}`;
     if (!this.#worn.has(key)) this.#worn.set(key, new Map());
@@ -69,7 +74,7 @@ export class Skins {
     }
   }
 
-  /** The model isn't shown any more: its textures go, too. */
+  /** Frees the model, which is no longer shown, with its textures. */
   dispose() {
     for (const made of this.#worn.values()) for (const copy of made.values()) copy.dispose();
     this.#worn.clear();

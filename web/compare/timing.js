@@ -1,8 +1,8 @@
-// Frame times, each until the picture is finished.
+// Frame times, each measured until the picture is finished.
 
 export const frameStart = () => new Promise((resolve) => { requestAnimationFrame(resolve); });
 
-/** Returns when the context has drawn everything: a pixel can be read only then. */
+/** Returns when the context has drawn everything, because a pixel can only be read then. */
 export function finish(context) {
   context.readPixels(0, 0, 1, 1, context.RGBA, context.UNSIGNED_BYTE, new Uint8Array(4));
 }
@@ -15,11 +15,13 @@ export function median(values) {
 
 const round = (value) => Number(value.toFixed(3));
 
-/** {median, least, most} of milliseconds; null: there are none. */
+/** {median, least, most} of milliseconds; null if there are none. */
 export const spreadOf = (times) => (times.length === 0 ? null
   : { median: round(median(times)), least: round(Math.min(...times)), most: round(Math.max(...times)) });
 
-/** What the GPU itself took, where the context has timer queries; else every method does nothing. */
+/**
+ * Times on the GPU itself, if the context has timer queries; otherwise every method does nothing.
+ */
 export class GpuTimer {
   #gl;
   #extension;
@@ -46,11 +48,14 @@ export class GpuTimer {
     if (this.there) this.#gl.endQuery(this.#extension.TIME_ELAPSED_EXT);
   }
 
-  /** Milliseconds of each begin() since the last call; without those that the GPU was disturbed in. */
+  /**
+   * Milliseconds of each begin() since the last call, except those that the GPU reports as
+   * disturbed.
+   */
   async take() {
     const gl = this.#gl;
     for (let tries = 0; this.#running.length && tries < 100; ++tries) {
-      await frameStart(); // results come between tasks
+      await frameStart(); // results arrive between tasks
       const disturbed = gl.getParameter(this.#extension.GPU_DISJOINT_EXT);
       this.#running = this.#running.filter((query) => {
         if (!gl.getQueryParameter(query, gl.QUERY_RESULT_AVAILABLE)) return true;

@@ -1,4 +1,5 @@
-// The scene of all methods: one renderer, one camera, one model, and the methods that were asked for so far.
+// The scene shared by all methods: one renderer, one camera, one model, and the methods used so
+// far.
 
 import { Box3, HemisphereLight, PerspectiveCamera, Scene, Vector3, WebGLRenderer, WebGLRenderTarget } from 'three';
 import { ExactShadows } from 'edgeshade/three';
@@ -20,7 +21,7 @@ export class World {
   #methods = new Map();
   #target = new WebGLRenderTarget(1, 1);
 
-  /** Throws where there is no WebGL 2. */
+  /** Throws if there is no WebGL 2. */
   constructor(canvas, { antialias }) {
     this.renderer = new WebGLRenderer({ canvas, antialias, powerPreference: 'high-performance' });
     this.renderer.setPixelRatio(1);
@@ -60,17 +61,17 @@ export class World {
     return this.#methods.get(id);
   }
 
-  /** How bright the sky is. */
+  /** Sets the brightness of the sky. */
   set ambient(share) {
     this.#sky.intensity = share;
   }
 
-  /** Masks are of the one light alone. */
+  /** Masks show only the one light. */
   setLook(look) {
     this.#sky.visible = look === 'shown';
   }
 
-  /** `aspect`: width over height. The near plane is as far out as the scene allows. */
+  /** `aspect`: width over height. The near plane is as far away as the scene allows. */
   setLens(fov, aspect) {
     const { camera, radius, center } = this;
     const away = camera.position.distanceTo(center);
@@ -84,14 +85,14 @@ export class World {
     if (domElement.width !== width || domElement.height !== height) this.renderer.setSize(width, height, false);
   }
 
-  /** The whole canvas is drawn to from here on. */
+  /** From here on the whole canvas is drawn to. */
   setWholeView(width, height) {
     this.resize(width, height);
     this.renderer.setScissorTest(false);
     this.renderer.setViewport(0, 0, width, height);
   }
 
-  /** RGBA of a frame, rows from the bottom; alpha: whether a surface is there. */
+  /** RGBA of a frame, rows from the bottom; alpha tells whether there is a surface. */
   pixelsOf(method, frame, width, height) {
     const { renderer } = this;
     this.#target.setSize(width, height);

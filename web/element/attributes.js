@@ -1,4 +1,4 @@
-// The element's attributes as changes of the viewer's state.
+// Converts the element's attributes to changes of the viewer's state.
 
 import { isSun, withExtent } from './lights.js';
 
@@ -7,14 +7,14 @@ const sideKeys = {
 };
 const whole = new Set(['map-size', 'mask-scale']);
 
-/** Attributes that say one thing together: where one of them changes, all are read. */
+/** Attributes that depend on each other: when one changes, all of its group are read. */
 const together = [['light', 'sun', 'light-radius', 'sun-angle'], ['place', 'time-of-day', 'north']];
 
-/** These attributes and those that go with them. */
+/** These attributes and the others of their groups. */
 export const withOthers = (names) =>
   [...new Set(names.flatMap((name) => together.find((group) => group.includes(name)) ?? [name]))];
 
-/** Attributes that say how a scene is shown, each with an example. */
+/** Attributes that describe how a scene is shown, each with an example. */
 export const viewAttributes = [
   'camera', 'light', 'sun', 'light-radius', 'sun-angle', 'light-samples', 'smooth', 'place', 'time-of-day', 'north', 'day-playing', 'sun-hours', 'shading', 'ambient', 'exposure', 'ground', 'cast-cutouts', 'cull', 'shadows', 'map-size', 'multiplicity',
   'mask-scale', 'split', 'split-shadows', 'split-map-size', 'split-mask-scale', 'split-at', 'debug', 'lights', 'animation', 'playing',
@@ -33,7 +33,7 @@ function cameraOf(text) {
   return { from: [fx, fy, fz], to: [tx, ty, tz], ...(fov !== undefined && { fov }) };
 }
 
-/** A part of an sRGB colour, 0..255, made linear (IEC 61966-2-1). */
+/** A channel of an sRGB colour, 0..255, as linear light (IEC 61966-2-1). */
 function linear(byte) {
   const value = byte / 255;
   return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
@@ -73,8 +73,8 @@ function sunOf(place, time, north) {
 }
 
 /**
- * The changes that attributes stand for: the form of the state, see edgeshade-viewer.d.ts. `get`
- * gives an attribute's text or null. Throws an Error whose message is a sentence.
+ * The attributes as changes of the state, in the form of edgeshade-viewer.d.ts. `get` returns an
+ * attribute's text or null. Throws an Error whose message is a sentence.
  */
 export function changesFromAttributes(get) {
   const changes = {};

@@ -1,8 +1,8 @@
-// What is behind the scene: the colour that CSS gives the element, so that it follows the theme.
+// The background of the scene: the colour that CSS gives the element, so that it follows the theme.
 
 const dark = '(prefers-color-scheme: dark)';
 
-/** The element's CSS background as [r, g, b] in 0..1; null where it is none or no plain colour. */
+/** The element's CSS background as [r, g, b] in 0..1; null if there is none, or no plain colour. */
 export function backgroundOf(element) {
   const parts = getComputedStyle(element).backgroundColor.match(/^rgba?\(([^)]+)\)$/)?.[1]
     .split(/[\s,/]+/).map(Number);
@@ -10,7 +10,7 @@ export function backgroundOf(element) {
   return parts.slice(0, 3).map((value) => value / 255);
 }
 
-/** Calls onChange() with every change of the theme; returns what stops it. */
+/** Calls onChange() whenever the theme changes; returns a function that stops this. */
 export function watchTheme(onChange) {
   const query = matchMedia(dark);
   query.addEventListener('change', onChange);

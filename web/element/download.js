@@ -9,17 +9,17 @@ async function responseTo(address, name) {
     response = await fetch(address);
   } catch {
     throw new Error(`'${name}' could not be fetched from ${address.host || 'there'}: there is no ` +
-      'connection, or that server does not allow it to this page.');
+      'connection, or that server does not allow this page to fetch it.');
   }
-  if (response.status === 404) throw new Error(`'${name}' is not there: the server said 404.`);
+  if (response.status === 404) throw new Error(`'${name}' was not found: the server answered 404.`);
   if (!response.ok)
-    throw new Error(`'${name}' could not be fetched: the server said ${response.status}.`);
+    throw new Error(`'${name}' could not be fetched: the server answered ${response.status}.`);
   return response;
 }
 
 async function bytesOf(address, name, onFraction) {
   const response = await responseTo(address, name);
-  // A compressed answer's length is not that of its content.
+  // The length of a compressed answer differs from that of its content.
   const known = response.headers.has('content-encoding') ? 0
     : Number(response.headers.get('content-length'));
   requireReadableSize(name, known);
@@ -28,7 +28,7 @@ async function bytesOf(address, name, onFraction) {
   const reader = response.body.getReader();
   for (;;) {
     const { done, value } = await reader.read().catch(() => {
-      throw new Error(`The download of '${name}' broke off.`);
+      throw new Error(`The download of '${name}' was interrupted.`);
     });
     if (done) break;
     parts.push(value);

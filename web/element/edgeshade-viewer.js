@@ -1,5 +1,5 @@
-// <edgeshade-viewer>: a glTF scene with pixel-exact shadows. Its types, with what every attribute,
-// event and method does, stand in edgeshade-viewer.d.ts.
+// <edgeshade-viewer>: a glTF scene with pixel-exact shadows. edgeshade-viewer.d.ts has its types
+// and describes every attribute, event and method.
 
 import { changesFromAttributes, viewAttributes, withOthers } from './attributes.js';
 import { backgroundOf, watchTheme } from './background.js';
@@ -36,11 +36,11 @@ export class EdgeshadeViewer extends HTMLElement {
   #program = null;
   #context = null;
   #handle = 0;
-  #viewer = null; // null: not started, or it can't be
+  #viewer = null; // null: not started, or the start failed
   #lost = false;
   #stopWatching = () => {};
-  #shown = null; // what load() was given last that is shown
-  #home = null; // changes that reset() goes back to; null: what the attributes say
+  #shown = null; // the source, as given to load(), of the scene on show
+  #home = null; // changes that reset() applies; null: those of the attributes
 
   constructor() {
     super();
@@ -88,7 +88,7 @@ export class EdgeshadeViewer extends HTMLElement {
     else if (this.loaded) this.#applyAttributes([name]);
   }
 
-  // ---- what a page can do ----------------------------------------------------------------------
+  // ---- interface for pages ---------------------------------------------------------------------
 
   /** Whether a scene is shown. */
   get loaded() {
@@ -187,7 +187,7 @@ export class EdgeshadeViewer extends HTMLElement {
   }
 
   async screenshot() {
-    if (!this.loaded || this.#lost) throw new Error('There is no picture to take yet.');
+    if (!this.loaded || this.#lost) throw new Error('There is no picture to save yet.');
     this.#viewer.invalidate();
     this.#viewer.frame(performance.now() / 1000); // toBlob() must follow in the same task
     return new Promise((resolve, reject) => {
@@ -229,7 +229,9 @@ export class EdgeshadeViewer extends HTMLElement {
     if (this.getAttribute('src')) queueMicrotask(() => this.load(this.getAttribute('src')).catch(() => {}));
   }
 
-  /** The scene once more as it is seen now: another variant shades its materials anew. */
+  /**
+   * Loads the scene again in its current view: another variant shades its materials differently.
+   */
   #reload() {
     if (!this.loaded || !this.#shown) return;
     this.load(this.#shown, { home: this.#home ?? undefined, state: this.state }).catch(() => {});
@@ -245,7 +247,7 @@ export class EdgeshadeViewer extends HTMLElement {
       try {
         return { url: new URL(source, document.baseURI).href, given: String(source) };
       } catch {
-        throw new Error(`'${source}' is no address of a scene.`);
+        throw new Error(`'${source}' is not the address of a scene.`);
       }
     }
     return sceneAmong(source instanceof Blob ? [source] : source);
@@ -261,7 +263,7 @@ export class EdgeshadeViewer extends HTMLElement {
       since = performance.now();
     };
     this.#tellProgress('upload');
-    await nextFrame(); // so that the bar is seen
+    await nextFrame(); // so that the bar becomes visible
     lap('wait');
     this.#upload(scene.bytes);
     lap('upload');
@@ -344,7 +346,8 @@ export class EdgeshadeViewer extends HTMLElement {
     if (!this.#viewer) return;
     this.#viewer.resize(w, h, ratio * shrink);
     this.#viewer.invalidate();
-    if (!this.#lost && this.loaded) this.#draw(performance.now() / 1000); // no empty picture between
+    if (!this.#lost && this.loaded) this.#draw(performance.now() / 1000); // no empty picture in
+                                                                          // between
   }
 
   #takeBackground() {
@@ -367,7 +370,7 @@ export class EdgeshadeViewer extends HTMLElement {
     if (drew) this.#tell('frame');
   }
 
-  /** Lets the viewer change, then draws and tells of the new state. */
+  /** Lets the viewer change, then draws and announces the new state. */
   #touch(action) {
     if (!this.#viewer) return;
     this.#makeCurrent();
@@ -383,7 +386,7 @@ export class EdgeshadeViewer extends HTMLElement {
   // ---- losing the context ----------------------------------------------------------------------
 
   #lose(event) {
-    event.preventDefault(); // or it would not come back
+    event.preventDefault(); // otherwise the context would not come back
     this.#lost = true;
     this.#viewer?.forgetGpu();
     if (this.#program) unregister(this.#program, this.#handle);
@@ -407,7 +410,7 @@ export class EdgeshadeViewer extends HTMLElement {
     this.#tell('contextrestored');
   }
 
-  // ---- telling ---------------------------------------------------------------------------------
+  // ---- events ----------------------------------------------------------------------------------
 
   #tell(type, detail = null) {
     this.dispatchEvent(new CustomEvent(type, { detail }));

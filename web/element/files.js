@@ -1,4 +1,4 @@
-// Files that a user hands over: which of them is the scene, and whether it can be one.
+// Files from the user: finds the scene among them, and checks whether it can be one.
 
 export const largestBytes = 512 * 1024 * 1024;
 
@@ -17,7 +17,7 @@ export function sizeText(bytes) {
 const isScene = (name) => /\.(glb|gltf)$/i.test(name);
 const pathOf = (file) => file.relativePath || file.webkitRelativePath || file.name;
 
-/** Throws an Error whose message says that so many bytes are too many. */
+/** Throws an Error with a sentence if a file has too many bytes. */
 export function requireReadableSize(name, bytes) {
   if (bytes > largestBytes)
     throw new Error(`'${name}' has ${sizeText(bytes)}; the browser's viewer reads scenes of up to ` +
@@ -30,13 +30,13 @@ export function requireReadableSize(name, bytes) {
  */
 export function sceneAmong(files) {
   const all = [...files];
-  if (all.length === 0) throw new Error('There was no file in what was dropped.');
+  if (all.length === 0) throw new Error('Nothing that was dropped is a file.');
   const scenes = all.filter((file) => isScene(file.name));
   if (scenes.length === 0)
-    throw new Error(`'${all[0].name}' is no glTF scene: choose a .glb, or a .gltf together with ` +
-      'its files.');
+    throw new Error(`'${all[0].name}' is not a glTF scene: choose a .glb, or a .gltf together ` +
+      'with its files.');
   if (scenes.length > 1)
-    throw new Error(`There are ${scenes.length} scenes in what was dropped ('${scenes[0].name}', ` +
+    throw new Error(`The dropped files contain ${scenes.length} scenes ('${scenes[0].name}', ` +
       `'${scenes[1].name}'${scenes.length > 2 ? ', …' : ''}): choose one at a time.`);
   const scene = scenes[0];
   const total = all.reduce((sum, file) => sum + file.size, 0);

@@ -1,11 +1,11 @@
-// Draws when something has changed, and sleeps else.
+// Draws when something has changed, and sleeps otherwise.
 
 export class FrameLoop {
   #draw;
   #wanted;
   #request = 0;
 
-  /** `draw(seconds)` draws; `wanted()` tells whether there will be more to draw. */
+  /** `draw(seconds)` draws; `wanted()` returns whether more must be drawn. */
   constructor(draw, wanted) {
     this.#draw = draw;
     this.#wanted = wanted;

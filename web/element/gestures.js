@@ -1,10 +1,10 @@
-// Mouse, pen, touch and keys on the picture, told to the viewer in picture pixels.
+// Passes mouse, pen, touch and keys on the picture to the viewer, in picture pixels.
 
 const phases = { pointerdown: 0, pointermove: 1, pointerup: 2, pointercancel: 2 };
 const pixelsPerNotch = 100;
 const linesPerNotch = 3;
 
-/** Keys on the picture. Others, Tab above all, stay the page's. */
+/** Keys of the picture. Others, above all Tab, are left to the page. */
 export const keys = [
   { key: 'ArrowLeft', command: 'orbitLeft', does: 'Orbit' },
   { key: 'ArrowRight', command: 'orbitRight' },
@@ -27,20 +27,20 @@ export const keys = [
   { key: 'l', command: 'nextLight', does: 'Choose the next light' },
   { key: 'n', command: 'addLight', does: 'Add a light' },
   { key: 'Delete', command: 'removeLight', does: 'Remove the light' },
-  { key: 'u', command: 'toggleSun', does: 'Sun or point light' },
-  { key: 'm', command: 'nextShadows', does: 'Next kind of shadows' },
+  { key: 'u', command: 'toggleSun', does: 'Switch between sun and point light' },
+  { key: 'm', command: 'nextShadows', does: 'Next shadow method' },
   { key: 'c', command: 'toggleSplit', does: 'Compare two settings' },
   { key: '[', command: 'splitLeft', does: 'Move the divider left' },
   { key: ']', command: 'splitRight', does: 'Move the divider right' },
   { key: 'v', command: 'toggleDebug', does: 'Show the shadow volumes' },
-  { key: 'g', command: 'toggleGround', does: 'Ground beneath the scene' },
-  { key: 'h', command: 'toggleLights', does: 'Show the lights' },
+  { key: 'g', command: 'toggleGround', does: 'Show or hide the ground' },
+  { key: 'h', command: 'toggleLights', does: 'Show or hide the lights\' handles' },
   { key: 'x', command: 'nextAnimation', does: 'Next animation' },
   { key: ' ', command: 'togglePlaying', does: 'Play or pause' },
   { key: ',', command: 'slower', does: 'Slower' },
   { key: '.', command: 'faster', does: 'Faster' },
   { key: 'j', command: 'toggleDay', does: 'Play the day of a sun by place and time' },
-  { key: 'y', command: 'toggleHours', does: 'Hours of sun of that day' },
+  { key: 'y', command: 'toggleHours', does: 'Show the hours of sun of that day' },
   { key: '9', command: 'earlier', does: 'Ten minutes earlier' },
   { key: '0', command: 'later', does: 'Ten minutes later' },
   { key: '7', command: 'dayEarlier', does: 'A day earlier' },
@@ -78,7 +78,7 @@ export function listenForGestures(canvas, target) {
       try {
         canvas.setPointerCapture(event.pointerId);
       } catch {
-        // A pointer that is gone already, or one that a script made up.
+        // The pointer has already gone, or a script made it up.
       }
     }
     if (phase !== 0 && !down.has(event.pointerId) && event.pointerType !== 'mouse') return;

@@ -1,6 +1,6 @@
-// The element's WebGL 1 context: asked for, checked, and registered with the program.
+// The element's WebGL 1 context: created, checked, and registered with the program.
 
-/** The context, or an Error whose message is a sentence. */
+/** Returns the context, or throws an Error whose message is a sentence. */
 export function createContext(canvas, { antialias }) {
   const context = canvas.getContext('webgl', {
     alpha: true,
@@ -10,11 +10,11 @@ export function createContext(canvas, { antialias }) {
     powerPreference: 'high-performance',
   });
   if (!context)
-    throw new Error('This browser gives no WebGL here, which the viewer draws with. It may be ' +
-      'switched off, or the graphics driver is not trusted.');
+    throw new Error('This browser provides no WebGL here, which the viewer needs. It may be ' +
+      'switched off, or the browser does not trust the graphics driver.');
   if (!context.getContextAttributes()?.stencil)
-    throw new Error('This browser gave a WebGL context without a stencil buffer, in which shadow ' +
-      'volumes are counted.');
+    throw new Error('This browser provides a WebGL context without a stencil buffer, which ' +
+      'shadow volumes need.');
   return context;
 }
 
@@ -29,7 +29,7 @@ export function register(program, context) {
   return handle;
 }
 
-/** Takes it out again: after a loss it has to be registered anew. */
+/** Unregisters it: after a loss it must be registered again. */
 export function unregister(program, handle) {
   program.GL.deleteContext(handle);
 }

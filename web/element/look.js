@@ -1,4 +1,4 @@
-// The element's inside: the picture, its progress bar, its notices.
+// The element's contents: the picture, its progress bar, its notices.
 
 export const look = `
 <style>

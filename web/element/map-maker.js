@@ -1,5 +1,5 @@
-// Has primitive maps built in a worker, so that drawing goes on meanwhile. The worker is there while
-// it is asked something, and for some seconds more: a light that was moved once is moved again.
+// Has primitive maps built in a worker, so that drawing continues meanwhile. The worker exists
+// while it has a task, and for some seconds more: a light that was moved once is often moved again.
 
 import { compiledModule } from './runtime.js';
 
@@ -8,26 +8,29 @@ const idleMilliseconds = 10_000;
 export class MapMaker {
   #onMap;
   #onFailure;
-  #scene = null; // a Blob: the browser may keep it elsewhere than in memory
+  #scene = null; // a Blob, which the browser may keep out of memory
   #worker = null;
-  #pending = null; // {ticket, task} without an answer
+  #pending = null; // {ticket, task}, unanswered
   #ticket = 0;
   #idle = 0;
 
-  /** `onMap` gets the bytes of what was asked last; `onFailure` is called where no worker will ever answer. */
+  /**
+   * `onMap` gets the result of the latest task; `onFailure` is called if no worker will ever
+   * answer.
+   */
   constructor(onMap, onFailure) {
     this.#onMap = onMap;
     this.#onFailure = onFailure;
   }
 
-  /** Maps are of this scene from now on: the bytes that the page's program takes over. */
+  /** Sets the scene for later maps: the same bytes as the page's program gets. */
   show(bytes) {
     this.stop();
     this.#pending = null;
     this.#scene = new Blob([bytes]);
   }
 
-  /** Asks for a map; the bytes of the task are copied. What was asked before is given up. */
+  /** Requests a map; the bytes of the task are copied. Replaces the previous request. */
   ask(task) {
     this.#pending = { ticket: ++this.#ticket, task: task.slice() };
     this.resume();
@@ -39,7 +42,7 @@ export class MapMaker {
     this.#rest();
   }
 
-  /** Until resume() nothing is worked at. */
+  /** Stops work until resume(). */
   stop() {
     clearTimeout(this.#idle);
     this.#worker?.terminate();

@@ -3,13 +3,13 @@
 import { putBytes } from './memory.js';
 import { instantiate } from './runtime.js';
 
-/** Milliseconds after which it looks whether something else is asked. */
+/** Milliseconds of work between checks for another task. */
 const slice = 20;
 
 let maker = null; // a promise of {program, made}
 let take = null;
 const ready = new Promise((resolve) => { take = resolve; });
-let wanted = 0; // the ticket of what is asked, 0: nothing
+let wanted = 0; // the ticket of the current task, 0: none
 
 const messages = () => new Promise((resolve) => setTimeout(resolve));
 

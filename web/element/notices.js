@@ -1,4 +1,4 @@
-// Sentences for the user, on the picture.
+// Sentences for the user, over the picture.
 
 const shownMilliseconds = 9000;
 const most = 3;
@@ -12,7 +12,10 @@ export class Notices {
     });
   }
 
-  /** An error stays until it is closed or something else succeeds; other sentences go by themselves. */
+  /**
+   * An error stays until it is closed or something else succeeds; other sentences disappear by
+   * themselves.
+   */
   say(sentence, kind = 'note') {
     for (const old of this.#list.children) if (old.dataset.sentence === sentence) old.remove();
     const notice = document.createElement('div');

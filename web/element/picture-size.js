@@ -1,6 +1,9 @@
-// The canvas' size in device pixels, exactly, whatever the zoom and the screen.
+// The canvas' size in device pixels, exact for every zoom and screen.
 
-/** Calls onSize(width, height, pixelRatio) now and whenever it changes; returns what stops it. */
+/**
+ * Calls onSize(width, height, pixelRatio) now and whenever it changes; returns a function that
+ * stops this.
+ */
 export function watchPictureSize(canvas, onSize) {
   let box = null;
   const report = () => {
@@ -8,7 +11,7 @@ export function watchPictureSize(canvas, onSize) {
     const exact = box?.devicePixelContentBoxSize?.[0];
     const pixels = (length, told) => {
       const about = length * ratio;
-      // What is told is exact, but of the screen, which a page may be shown smaller than.
+      // The reported size is exact, but in pixels of the screen; the page may be shown smaller.
       return Math.max(1, told && Math.abs(told - about) < 2 ? told : Math.round(about));
     };
     onSize(pixels(canvas.clientWidth, exact?.inlineSize),
@@ -21,7 +24,7 @@ export function watchPictureSize(canvas, onSize) {
   try {
     observer.observe(canvas, { box: 'device-pixel-content-box' });
   } catch {
-    observer.observe(canvas); // a browser that can't tell device pixels
+    observer.observe(canvas); // for browsers that can't report device pixels
   }
   let stopWatchingRatio = () => {};
   const watchRatio = () => {

@@ -1,13 +1,13 @@
-// From the start of a download to the first frame, as one bar.
+// One progress bar from the start of a download to the first frame.
 
-// Where each stage begins and ends on the bar.
+// Start and end of each stage on the bar.
 const spans = {
   download: [0, 0.5, 'Fetching the scene'],
   read: [0.5, 0.58, 'Reading the scene'],
-  flatten: [0.58, 0.64, 'Placing its parts'],
-  images: [0.64, 0.72, 'Getting its images'],
-  shadows: [0.72, 0.86, 'Finding its edges'],
-  'hand over': [0.86, 0.9, 'Handing it over'],
+  flatten: [0.58, 0.64, 'Placing the parts'],
+  images: [0.64, 0.72, 'Loading the images'],
+  shadows: [0.72, 0.86, 'Finding the edges'],
+  'hand over': [0.86, 0.9, 'Transferring the scene'],
   upload: [0.9, 0.98, 'Uploading to the GPU'],
   draw: [0.98, 1, 'Drawing the first frame'],
 };
@@ -18,7 +18,7 @@ export class Progress {
     this.#box = box;
   }
 
-  /** Returns how far the whole load is, 0..1. */
+  /** Returns the progress of the whole load, 0..1. */
   show(stage, fraction = 0) {
     const [from, to, words] = spans[stage];
     const done = from + (to - from) * fraction;

@@ -1,4 +1,4 @@
-// The viewer's program: an instance of its own for every element and for every worker.
+// The viewer's program: a separate instance for every element and every worker.
 
 import createModule from '../wasm/edgeshade.mjs';
 import { compiledOnce, instantiateBy } from './webassembly.js';

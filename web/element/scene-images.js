@@ -1,18 +1,17 @@
-// The images that a scene is drawn with: fetched where they are not there yet, and decoded by the
-// browser where they are WebP.
+// A scene's images: fetched if they are missing, and decoded by the browser if they are WebP.
 
 import { WebpDecoder } from './webp.js';
 
-/** The pixels of WebP bytes, in the reader's room. Throws an Error for what the reader refuses;
- * returns why the browser can't decode them, or ''. */
+/** Decodes WebP bytes into the reader's buffer. Throws an Error if the reader refuses the
+ * pixels; returns why the browser can't decode them, or ''. */
 async function decodeWebp(reader, decoder, image) {
-  const webp = reader.webpOf(image).slice(); // whatever the program does, these stay
+  const webp = reader.webpOf(image).slice(); // a copy, independent of the program's memory
   if (webp.length === 0) return '';
   let pixels;
   try {
     pixels = await decoder.pixelsOf(webp);
   } catch {
-    return 'it is WebP that this browser can\'t decode.';
+    return 'this browser can\'t decode its WebP data.';
   }
   const problem = reader.roomFor(image, pixels.width, pixels.height);
   if (problem) throw new Error(problem);
@@ -21,8 +20,8 @@ async function decodeWebp(reader, decoder, image) {
 }
 
 /**
- * Has `reader`, a SceneReader, decide on all images. `fetchFile` gets a uri and puts its file where
- * the reader finds it, if it can be had; what it throws says why not.
+ * Has `reader`, a SceneReader, decide on all images. `fetchFile` gets a uri and stores its file
+ * where the reader finds it; it throws the reason if it can't.
  */
 export async function takeImages(reader, fetchFile) {
   const decoder = new WebpDecoder();

@@ -1,8 +1,8 @@
-// Loads scenes in a worker, one at a time: a newer load stops the one before.
+// Loads scenes in a worker, one at a time: a newer load stops the previous one.
 
 import { compiledModule } from './runtime.js';
 
-/** Thrown where a newer load took over; nothing to tell the user. */
+/** Thrown if a newer load took over; the user needn't know. */
 export class Superseded extends Error {}
 
 export class SceneLoader {
@@ -10,9 +10,9 @@ export class SceneLoader {
   #stop = null;
 
   /**
-   * `source`: {url} or {name, files: [{path, blob}]}. `variant`: of its materials, '' for the file's
-   * own. `onProgress` is called with a stage and a fraction of it. Resolves with {name, bytes,
-   * triangles, warnings, variants, cameras, milliseconds}.
+   * `source`: {url} or {name, files: [{path, blob}]}. `variant`: one of its variants of materials,
+   * '' for the file's own. `onProgress` gets a stage and a fraction of it. Resolves with {name,
+   * bytes, triangles, warnings, variants, cameras, milliseconds}.
    */
   async load(source, variant, onProgress) {
     this.cancel();
@@ -44,7 +44,7 @@ export class SceneLoader {
     }
   }
 
-  /** Stops what is being loaded. */
+  /** Stops the current load. */
   cancel() {
     this.#stop?.();
     this.#worker?.terminate();

@@ -1,5 +1,5 @@
-// The worker that reads a scene: download, decode, find the edges, build the shadow data. It hands
-// the page a buffer that only needs copying.
+// The worker that reads a scene: downloads, decodes, finds the edges, builds the shadow data. It
+// passes the page a buffer that only needs copying.
 
 import { instantiate } from './runtime.js';
 import { download, downloadBeside } from './download.js';
@@ -21,14 +21,17 @@ async function bytesOf(source) {
   return { name: source.name, files };
 }
 
-/** Fetches a file that the scene names, unless it is there or is none of the scene's own. */
+/**
+ * Fetches a file that the scene names, unless it is already there or lies outside the scene's
+ * folder.
+ */
 async function fetchFile(fs, source, uri) {
   const path = placeOf(uri);
   if (!source.url || !path || fs.analyzePath(path).exists) return;
   placeFile(fs, path, await downloadBeside(source.url, uri, path));
 }
 
-/** Milliseconds that each stage took. */
+/** Milliseconds of each stage. */
 class Stages {
   #milliseconds = {};
   #stage = null;
@@ -80,10 +83,11 @@ async function read({ module, source, variant }) {
   postMessage({ scene }, [bytes.buffer]);
 }
 
-/** What went wrong inside the program, such as a failed growth of its memory, as a sentence. */
+/** A failure inside the program, such as a failed growth of its memory, as a sentence. */
 function sentenceFor(error) {
   if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError)
-    return `The scene could not be read: it needs more than the browser gives (${error.message}).`;
+    return 'The scene could not be read: it needs more than the browser provides ' +
+      `(${error.message}).`;
   return error.message || 'The scene could not be read.';
 }
 

@@ -1,8 +1,11 @@
-// The folder in memory from which the program reads a scene and the files that it names.
+// The folder in memory from which the program reads a scene and the files it names.
 
 const sceneFolder = '/scene';
 
-/** Where in the scene's folder a file is that a .gltf names; null: outside, or in the .gltf itself. */
+/**
+ * The path in the scene's folder of a file that a .gltf names; null if it lies outside, or in the
+ * .gltf itself.
+ */
 export function placeOf(uri) {
   if (typeof uri !== 'string' || /^[a-z][a-z0-9+.-]*:/i.test(uri)) return null;
   let path;
@@ -14,7 +17,7 @@ export function placeOf(uri) {
   return path.startsWith('/') || path.split(/[\\/]/).includes('..') ? null : path;
 }
 
-/** Files that a .gltf names in these of its sections: [{uri, path}]; those outside its folder are
+/** The files that a .gltf names in these sections: [{uri, path}]; files outside its folder are
  * left to the program. */
 export function outsideFilesOf(bytes, sections) {
   let json;
@@ -22,7 +25,7 @@ export function outsideFilesOf(bytes, sections) {
     if (bytes[0] === 0x67) return []; // "glTF": a GLB
     json = JSON.parse(new TextDecoder().decode(bytes));
   } catch {
-    return []; // the program says what is wrong with it
+    return []; // the program reports what is wrong with it
   }
   return sections.flatMap((section) => json?.[section] ?? [])
     .map((entry) => ({ uri: entry?.uri, path: placeOf(entry?.uri) }))
@@ -31,7 +34,7 @@ export function outsideFilesOf(bytes, sections) {
 
 const lastPart = (path) => path.slice(path.lastIndexOf('/') + 1);
 
-/** A file that was dropped without its folder stands in for the one named with it. */
+/** A file that was dropped without its folder stands in for the one that the .gltf names. */
 function withNamedPlaces(name, files) {
   const placed = new Map(files);
   for (const { path } of outsideFilesOf(files.get(name), ['buffers', 'images'])) {
@@ -41,14 +44,14 @@ function withNamedPlaces(name, files) {
   return placed;
 }
 
-/** Writes a file into the folder, which is there. */
+/** Writes a file into the existing folder. */
 export function placeFile(fs, path, bytes) {
   const folder = path.slice(0, path.length - lastPart(path).length);
   if (folder) fs.mkdirTree(`${sceneFolder}/${folder}`);
   fs.writeFile(`${sceneFolder}/${path}`, bytes, { canOwn: true });
 }
 
-/** Writes the files into a fresh folder, which becomes the current one. */
+/** Writes the files into a new folder, which becomes the current one. */
 export function placeFiles(fs, name, files) {
   fs.mkdir(sceneFolder);
   fs.chdir(sceneFolder);

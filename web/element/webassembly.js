@@ -1,7 +1,7 @@
-// WebAssembly programs: each is compiled once a page.
+// WebAssembly programs; each is compiled once per page.
 
-/** A function that gives the compiled module at an address; fetched and compiled at its first call. `who`: what
- * the program is to a user. */
+/** Returns a function that returns the compiled module at an address; its first call fetches and
+ * compiles it. `who`: the program's name in messages to the user. */
 export function compiledOnce(address, who) {
   let compiled = null;
   return () => {
@@ -21,7 +21,8 @@ async function compile(address, who) {
     throw new Error(`The ${who}'s program could not be fetched. Is there a connection?`);
   }
   if (!response.ok)
-    throw new Error(`The ${who}'s program could not be fetched: the server said ${response.status}.`);
+    throw new Error(`The ${who}'s program could not be fetched: ` +
+      `the server answered ${response.status}.`);
   try {
     return await WebAssembly.compile(await response.arrayBuffer());
   } catch {
@@ -29,7 +30,7 @@ async function compile(address, who) {
   }
 }
 
-/** An instance of a compiled module, by what Emscripten made to run it. */
+/** An instance of a compiled module, started by Emscripten's own function. */
 export function instantiateBy(createModule, module) {
   return createModule({
     instantiateWasm(imports, done) {

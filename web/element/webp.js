@@ -3,10 +3,10 @@
 const exactly = { premultiplyAlpha: 'none', colorSpaceConversion: 'none' };
 
 export class WebpDecoder {
-  #gl = null; // made when the first picture comes
+  #gl = null; // created for the first picture
 
-  /** {width, height, rgba}: 8-bit pixels, rows top to bottom. A picture larger than WebGL's textures
-   * comes scaled down to that. Throws where the browser can't decode it. */
+  /** Returns {width, height, rgba}: 8-bit pixels, rows top to bottom. A picture larger than
+   * WebGL's textures is scaled down to their limit. Throws if the browser can't decode it. */
   async pixelsOf(bytes) {
     const gl = (this.#gl ??= new OffscreenCanvas(1, 1).getContext('webgl'));
     const blob = new Blob([bytes], { type: 'image/webp' });
@@ -21,7 +21,10 @@ export class WebpDecoder {
   }
 }
 
-/** Through a texture: a 2D canvas would multiply alpha into colours and lose some of them. */
+/**
+ * Reads through a texture, since a 2D canvas would multiply alpha into colours and lose some of
+ * them.
+ */
 function readBack(gl, bitmap) {
   const { width, height } = bitmap;
   const texture = gl.createTexture();

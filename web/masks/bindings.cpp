@@ -1,5 +1,5 @@
-// What JavaScript sees of the mask engine. Numbers come as addresses in the program's memory; what
-// fails returns a negative number or false, and its sentence is lastProblem().
+// The mask engine's interface to JavaScript. Numbers are passed as addresses in the program's
+// memory; a failing call returns a negative number or false, and lastProblem() holds its sentence.
 
 #include "edgeshade/shadow_masks.hpp"
 #include "preprocess/base/error.hpp"
@@ -27,7 +27,7 @@ Matrix16 matrixAt(std::uintptr_t address) {
     return matrix;
 }
 
-/// `flags`: casts, double-sided, bends, alpha-tested, from the lowest bit on.
+/// `flags`, from the lowest bit: casts, double-sided, bends, alpha-tested.
 MaskMesh meshAt(std::uintptr_t positions, std::size_t floats, std::uintptr_t indices,
                 std::size_t count, std::uintptr_t texcoords, std::size_t texcoordFloats,
                 unsigned flags) {
@@ -40,7 +40,7 @@ MaskMesh meshAt(std::uintptr_t positions, std::size_t floats, std::uintptr_t ind
             .texcoords = {at<float>(texcoords), texcoordFloats}};
 }
 
-/// opacity, cutoff, the transform's nine.
+/// `numbers`: opacity, cutoff, the transform's nine.
 MaskAlpha alphaAt(unsigned texture, bool green, const float* numbers) {
     MaskAlpha alpha{.texture = texture, .opacity = numbers[0], .cutoff = numbers[1]};
     if (green) alpha.channel = MaskAlpha::Channel::green;
@@ -48,7 +48,7 @@ MaskAlpha alphaAt(unsigned texture, bool green, const float* numbers) {
     return alpha;
 }
 
-/// kind, position, direction, range, outer angle, radius.
+/// Numbers of a light: kind, position, direction, range, outer angle, radius.
 constexpr std::size_t lightNumbers = 10;
 
 MaskLight lightAt(const double* numbers) {
@@ -62,17 +62,16 @@ MaskLight lightAt(const double* numbers) {
     return light;
 }
 
-/// The masks of one context, which is current whenever one of these is called, and whose state the
-/// page keeps.
+/// The masks of one context, which must be current at every call, and whose state the page keeps.
 class PageMasks {
   public:
     bool start() {
         return done([&] { masks_.emplace(webFunction, StateKeeper::host); });
     }
-    /// What was in a context that is lost.
+    /// Drops everything that belonged to a lost context.
     void forget() { masks_.reset(); }
 
-    /// Meshes have numbers of their own, which are given back by release().
+    /// Prepares a mesh and returns its number, which release() gives back.
     int prepare(std::uintptr_t positions, std::size_t floats, std::uintptr_t indices,
                 std::size_t count, std::uintptr_t texcoords, std::size_t texcoordFloats,
                 unsigned flags) {
@@ -81,7 +80,7 @@ class PageMasks {
                 meshAt(positions, floats, indices, count, texcoords, texcoordFloats, flags));
         });
     }
-    /// Takes over a mesh from the worker: `size` bytes that malloc() gave, which it frees.
+    /// Takes over a mesh from the worker: `size` bytes from malloc(), which it frees.
     int take(std::uintptr_t address, std::size_t size) {
         return numberOf([&] {
             const PageBytes bytes(address, size);
@@ -125,7 +124,7 @@ class PageMasks {
         });
     }
 
-    /// What LookupMaker takes; empty where it failed.
+    /// The input for LookupMaker; empty on failure.
     emscripten::val lookupTask(std::uintptr_t light, int size, double mostBytes) {
         bytes_ = {};
         done([&] {
@@ -134,8 +133,8 @@ class PageMasks {
         });
         return viewOf(bytes_);
     }
-    /// Takes over what LookupMaker gave, for the page to upload its texels: `size` bytes that
-    /// malloc() gave, which it frees.
+    /// Takes over a result of LookupMaker: `size` bytes from malloc(), which it frees. The page
+    /// uploads its texels.
     int addLookup(std::uintptr_t address, std::size_t size) {
         int id = -1;
         done([&] {
@@ -144,7 +143,7 @@ class PageMasks {
         });
         return id;
     }
-    /// Sets what uploading by the page takes of the context's state.
+    /// Sets the GL state that the page's upload relies on.
     bool prepareUpload(int id) {
         return done([&] { masks().uploadLookup(idOf(id)); });
     }
@@ -218,10 +217,10 @@ class PageMasks {
     std::vector<double> numbers_;
 };
 
-/// A worker's part: finds a mesh's edges.
+/// Finds a mesh's edges, in a worker.
 class MeshPacker {
   public:
-    /// Returns "" or what went wrong.
+    /// Returns "" or the sentence of a failure.
     std::string pack(std::uintptr_t positions, std::size_t floats, std::uintptr_t indices,
                      std::size_t count, std::uintptr_t texcoords, std::size_t texcoordFloats,
                      unsigned flags) {

@@ -1,4 +1,5 @@
-// The state of a context as its owner has it. Only the page can name what is bound in WebGL.
+// Saves and restores a context's state for its owner. Only the page can name the objects that are
+// bound in WebGL.
 
 const switches = ['BLEND', 'CULL_FACE', 'DEPTH_TEST', 'DITHER', 'SCISSOR_TEST', 'STENCIL_TEST', 'SAMPLE_COVERAGE',
   'SAMPLE_ALPHA_TO_COVERAGE', 'POLYGON_OFFSET_FILL'];
@@ -9,7 +10,7 @@ const storage2 = ['UNPACK_SKIP_ROWS', 'UNPACK_SKIP_PIXELS', 'UNPACK_SKIP_IMAGES'
 const askedStorage2 = ['UNPACK_ROW_LENGTH', 'UNPACK_IMAGE_HEIGHT', 'PACK_ROW_LENGTH'];
 const faces = { FRONT: 'STENCIL_', BACK: 'STENCIL_BACK_' };
 
-/** Attributes, where there are no vertex array objects; they are switched off. */
+/** Saves the attributes, where there are no vertex array objects, and switches them off. */
 function keepAttributes(gl, instancing) {
   const all = [];
   const elements = gl.getParameter(gl.ELEMENT_ARRAY_BUFFER_BINDING);
@@ -40,7 +41,7 @@ function keepAttributes(gl, instancing) {
 export class HostState {
   #gl;
   #webGl2;
-  #arrays; // bind(), binding and a vertex array of our own, where the context has them
+  #arrays; // bind(), binding and the engine's own vertex array, if the context has vertex arrays
   #instancing;
   #units;
   #isGone;
@@ -60,9 +61,10 @@ export class HostState {
     this.#units = gl.getParameter(gl.MAX_TEXTURE_IMAGE_UNITS);
   }
 
-  /** Draws with the state kept: what `draw` sets is as it was after it, but for attributes' current values and
-   * what is not set in drawing (line width, hints, cube textures, uniform buffers). `all`: also what the browser
-   * doesn't know without waiting for all that is being drawn (keepFunctions()); else that is as drawing leaves it. */
+  /** Draws and then restores the state that `draw` has set, except for attributes' current values
+   * and state that drawing doesn't touch (line width, hints, cube textures, uniform buffers).
+   * `all`: restores also the state that the browser can't report without waiting for pending draws
+   * (keepFunctions()); otherwise that state is left as drawing set it. */
   keptWhile(draw, all) {
     const restores = [this.#keepBindings(), this.#keepSwitches(), ...(all ? [this.#keepFunctions()] : []), this.#keepArrays()];
     for (const name of pageStorage) this.#gl.pixelStorei(this.#gl[name], 0);

@@ -1,15 +1,17 @@
-// A host's textures, by the numbers that the program has for what it can bind.
+// A host's textures, under the numbers that the program uses for binding.
 
 export class HostTextures {
-  #gl; // Emscripten's tables of a context
-  #uses = new Map(); // by user: the texture
-  #names = new Map(); // by texture: {name, users}
+  #gl; // Emscripten's tables of the context
+  #uses = new Map(); // texture by user
+  #names = new Map(); // {name, users} by texture
 
   constructor(gl) {
     this.#gl = gl;
   }
 
-  /** Calls take(name), 0 for null, after which the user has this texture in place of another. */
+  /**
+   * Calls take(name), with 0 for null; the user then has this texture instead of its previous one.
+   */
   use(user, texture, take) {
     const known = texture && this.#names.get(texture);
     const name = texture ? known?.name ?? this.#gl.getNewId(this.#gl.textures) : 0;
@@ -28,7 +30,7 @@ export class HostTextures {
     if (texture) this.#uses.set(user, texture);
   }
 
-  /** The user has none any more. */
+  /** The user has no texture any more. */
   drop(user) {
     this.#release(this.#uses.get(user));
     this.#uses.delete(user);

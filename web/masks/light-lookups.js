@@ -1,16 +1,17 @@
-// Maps of lights at rest: built in a worker, uploaded piece by piece, looked up by hosts' own shaders.
+// Primitive maps of resting lights: built in a worker, uploaded piece by piece, looked up by hosts'
+// own shaders.
 
 import { putBytes } from '../element/memory.js';
 import { WorkerCalls } from './worker-calls.js';
 
-/** Milliseconds for which the worker waits for another light that comes to rest. */
+/** Milliseconds that the worker waits for another light to come to rest. */
 const idle = 10_000;
 
 const mostBytesAsked = 64 * 2 ** 20;
 
 export class LightLookups {
   #module;
-  #texels = new Map(); // by id, what is to be uploaded: {texels, next}
+  #texels = new Map(); // texels left to upload, by id: {texels, next}
   #engine; // {gl, program, masks, inContext, withLight, require, textureOf}
   #calls = new WorkerCalls(() => new Worker(new URL('./lookup-worker.js', import.meta.url), { type: 'module' }),
     'builds the maps of lights', idle);
@@ -33,7 +34,7 @@ export class LightLookups {
     return id;
   }
 
-  /** From the worker's own memory, so that the program's needn't grow. */
+  /** Uploads from the worker's memory, so that the program's needn't grow. */
   upload(id, mostBytes = Infinity) {
     const { gl, masks, inContext, require } = this.#engine;
     const left = this.#texels.get(id);
@@ -76,7 +77,7 @@ export class LightLookups {
     require(inContext(() => masks.removeLookup(id)));
   }
 
-  /** The context is lost, and all that was in it. */
+  /** Called when the context is lost with everything in it. */
   forget() {
     this.#texels.clear();
   }

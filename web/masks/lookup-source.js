@@ -1,4 +1,4 @@
-// The GLSL that asks a light's map, for a host's fragment shader.
+// The GLSL source that looks up a light's map, for a host's fragment shader.
 
 import { text } from './lookup-text.js';
 
@@ -6,7 +6,7 @@ const isOwn = (word) => /rimitive|PRIMITIVE_|^cutout|^wrappedTexel$/.test(word);
 
 const short = (word) => word[0].toLowerCase() + word.slice(1);
 
-/** As lookupSource() in edgeshade/light_lookup.hpp says. `prefix`: of all names. */
+/** As described at lookupSource() in edgeshade/light_lookup.hpp. `prefix`: starts all names. */
 export function lookupSource(prefix) {
   if (!/^(?!gl_)[A-Za-z_]\w*$/.test(prefix) || /__|_$/.test(prefix)) throw new Error(`'${prefix}' is no prefix of names in GLSL.`);
   return text.replace(/\w+/g, (word) => {

@@ -1,9 +1,9 @@
-// The worker that builds the maps of lights at rest, one after the other.
+// The worker that builds the maps of resting lights, one after another.
 
 import { putBytes } from '../element/memory.js';
 import { instantiate } from './runtime.js';
 
-/** Milliseconds after which it looks whether it is still asked. */
+/** Milliseconds of work between checks whether the task is still wanted. */
 const slice = 20;
 
 let ready = null; // a promise of {program, maker}

@@ -8,17 +8,17 @@
 
 namespace edgeshade::web {
 
-/// A worker's part: builds the maps of lights at rest, one at a time. What fails returns a
+/// Builds the maps of resting lights in a worker, one at a time. On failure methods return a
 /// sentence.
 class LookupMaker {
   public:
-    /// `size` bytes that malloc() gave, which it frees.
+    /// `size` bytes from malloc(), which it frees.
     std::string begin(std::uintptr_t address, std::size_t size);
-    /// Goes on for about so long; returns whether all is done.
+    /// Works for about this long; returns whether it has finished.
     bool advance(double milliseconds);
-    /// What the page's masks take. Empty where memory ran out.
+    /// The result for the page's masks. Empty if memory ran out.
     emscripten::val result();
-    /// The table's texels, four floats each; until begin().
+    /// The table's texels, four floats each; valid until begin().
     emscripten::val texels() const;
 
   private:

@@ -16,13 +16,13 @@ void transfer(Archive& archive, Maybe<BuiltLookup> auto& built) {
 
 namespace {
 
-/// What both ways tell.
+/// The fields that both directions share.
 template <class Archive>
 void transferStart(Archive& archive, Maybe<LookupWork::Data> auto& data) {
     archive(data.task.light, data.task.settings, data.task.why, data.casterState);
 }
 
-/// Where a caster is, and which of the shapes it has.
+/// A caster's place, and the index of its shape.
 struct Place {
     std::size_t shape = 0;
     glm::dmat4 worldFromBatch{1.0};

@@ -10,12 +10,12 @@ namespace edgeshade::web {
 /// A light's map on its way to the worker that builds it, and back, as bytes for another instance
 /// of this same program: see archive.hpp.
 Bytes taskToTransfer(const LookupWork& work);
-/// Not begun.
+/// The returned work has not begun.
 LookupWork taskFromTransfer(std::span<const std::uint8_t> bytes);
 
-/// Of what is done, without the texels, which the page uploads itself.
+/// Finished work without its texels, which the page uploads itself.
 Bytes resultToTransfer(const LookupWork& work);
-/// Done, and without its casters.
+/// The returned work is finished, and has no casters.
 LookupWork resultFromTransfer(std::span<const std::uint8_t> bytes);
 
 } // namespace edgeshade::web

@@ -1,4 +1,4 @@
-// Finds meshes' edges in a worker, one after the other.
+// Has meshes' edges found in a worker, one mesh after another.
 
 import { WorkerCalls } from './worker-calls.js';
 
@@ -10,7 +10,7 @@ export class MeshPacking {
     this.#module = module;
   }
 
-  /** `mesh`: meshNumbers(). Resolves with the bytes that Masks.take() takes. Throws a sentence. */
+  /** `mesh`: from meshNumbers(). Resolves with the bytes for Masks.take(). Throws a sentence. */
   pack(mesh) {
     return this.#calls.ask({ module: this.#module, mesh });
   }

@@ -1,4 +1,4 @@
-// The worker that finds meshes' edges. It hands the page buffers that only need copying.
+// The worker that finds meshes' edges. It passes the page buffers that only need copying.
 
 import { withMesh } from './numbers.js';
 import { instantiate } from './runtime.js';

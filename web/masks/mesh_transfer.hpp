@@ -6,11 +6,11 @@
 namespace edgeshade::web {
 
 /// A prepared mesh as bytes that another instance of this same program takes over with little more
-/// than copying: a worker finds the edges, the page draws. No file format; never for bytes from
-/// elsewhere.
+/// than copying: a worker finds the edges, the page draws. This is no file format; never use it for
+/// bytes from elsewhere.
 Bytes toTransfer(const PreparedMesh& mesh);
 
-/// The mesh again.
+/// The mesh, restored.
 PreparedMesh meshFromTransfer(std::span<const std::uint8_t> bytes);
 
 } // namespace edgeshade::web

@@ -1,6 +1,6 @@
-// Numbers on their way into a program's memory.
+// Passes numbers into a program's memory.
 
-/** Copies typed arrays there, calls use(addresses) and frees them again. */
+/** Copies typed arrays into it, calls use(addresses) and frees them again. */
 export function withCopies(program, arrays, use) {
   const addresses = [];
   try {
@@ -18,7 +18,7 @@ export function withCopies(program, arrays, use) {
 
 const floatsOf = (numbers) => (numbers instanceof Float32Array ? numbers : Float32Array.from(numbers));
 
-/** A mesh as the program wants it: {positions, indices, texcoords} as typed arrays, and flags. */
+/** A mesh in the program's form: {positions, indices, texcoords} as typed arrays, and flags. */
 export function meshNumbers({ positions, indices, texcoords = [], casts = true, doubleSided = true, bends = false, alphaTested = false }) {
   const floats = floatsOf(positions);
   const corners = indices ?? { length: floats.length / 3 };
@@ -30,7 +30,9 @@ export function meshNumbers({ positions, indices, texcoords = [], casts = true, 
   };
 }
 
-/** Copies meshNumbers() there and calls use() with what the program takes of them. */
+/**
+ * Copies meshNumbers() into the program's memory and calls use() with the arguments that it takes.
+ */
 export function withMesh(program, { positions, indices, texcoords, flags }, use) {
   return withCopies(program, [positions, indices, texcoords], ([p, i, t]) =>
     use(p, positions.length, i, indices.length, t, texcoords.length, flags));

@@ -1,4 +1,4 @@
-// The mask engine's program: an instance of its own for every context and for every worker.
+// The mask engine's program: a separate instance for every context and every worker.
 
 import createModule from '../wasm/edgeshade-masks.mjs';
 import { compiledOnce, instantiateBy } from '../element/webassembly.js';

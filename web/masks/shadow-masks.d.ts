@@ -1,67 +1,78 @@
-/** Exact shadows in a WebGL 1 or 2 context of your own: what each light reaches, as textures. */
+/**
+ * Exact shadows in your own WebGL 1 or 2 context: textures that tell which pixels each light
+ * reaches.
+ */
 
 /** 16 numbers, column-major. */
 export type Matrix = ArrayLike<number> & Iterable<number>;
 
-/** Triangles that move together; nothing is kept of the arrays. */
+/** Triangles that move together; the arrays are not kept. */
 export interface MaskMesh {
-  /** x, y, z a vertex; finite. */
+  /** x, y, z per vertex; finite. */
   positions: ArrayLike<number>;
-  /** Three a triangle; without, vertices come in threes. */
+  /** Three per triangle; without indices, every three vertices are a triangle. */
   indices?: ArrayLike<number>;
-  /** Else it only receives, and is lit from behind as well. Default: true. */
+  /**
+   * Whether it casts; otherwise it only receives, and is lit from behind as well. Default: true.
+   */
   casts?: boolean;
-  /** Else it is seen from its front alone, where it is wound counter-clockwise. Default: true. */
+  /**
+   * Whether both sides are visible; otherwise only the front, which is wound counter-clockwise.
+   * Default: true.
+   */
   doubleSided?: boolean;
   /**
-   * Where its alpha (setAlpha()) is below the cutoff it isn't there: it isn't seen, nor does it
-   * receive. If it casts, then whole triangles, as if it had no holes. Default: false.
+   * Whether it has holes where its alpha (setAlpha()) is below the cutoff: there it is neither
+   * visible nor receives. If it casts, its whole triangles cast, as if it had no holes. Default:
+   * false.
    */
   alphaTested?: boolean;
-  /** u, v a vertex; of what is alpha-tested. Default: 0, 0. */
+  /** u, v per vertex; for alpha-tested meshes. Default: 0, 0. */
   texcoords?: ArrayLike<number>;
 }
 
-/** What an alpha-tested mesh has of alpha: opacity times the texture's. */
+/** The alpha of an alpha-tested mesh: opacity times the texture's. */
 export interface MaskAlpha {
-  /** Yours, 2D: sampled as it is, never changed; keep it for as long as it is set. Default: null. */
+  /**
+   * Your own 2D texture: sampled as it is, never changed; keep it while it is set. Default: null.
+   */
   texture?: WebGLTexture | null;
-  /** Of the texture. Default: 'alpha'. */
+  /** The texture's channel. Default: 'alpha'. */
   channel?: 'alpha' | 'green';
   /** Default: 1. */
   opacity?: number;
-  /** Alpha below it is a hole. Default: 0.5. */
+  /** A smaller alpha is a hole. Default: 0.5. */
   cutoff?: number;
-  /** 9 numbers, column-major: (u, v, 1) times it is where the texture is looked up. */
+  /** 9 numbers, column-major: the texture is sampled at this matrix times (u, v, 1). */
   texcoordTransform?: ArrayLike<number> & Iterable<number>;
 }
 
 export interface MaskLight {
   /** Default: 'directional'. */
   kind?: 'directional' | 'point' | 'spot';
-  /** In the world; of a point or a spot. */
+  /** In the world; for a point light or a spot. */
   position?: [number, number, number];
-  /** Where a sun or a spot shines; any length. */
+  /** The direction in which a sun or a spot shines; any length. */
   direction?: [number, number, number];
-  /** Dark from there on. Default: Infinity. */
+  /** The light is dark from there on. Default: Infinity. */
   range?: number;
-  /** Of a spot, radians, to pi / 2: dark from there on. */
+  /** For a spot, in radians, up to pi / 2: dark from this angle on. */
   outerAngle?: number;
-  /** A point light's or spot's radius; of a sun half its angle, radians. 0: shadows are hard. */
+  /** A point light's or spot's radius; for a sun half its angle in radians. 0: hard shadows. */
   radius?: number;
 }
 
 export interface MaskView {
-  /** A turn, a shift and one scale. */
+  /** A rotation, a translation and a uniform scale. */
   viewFromWorld: Matrix;
-  /** Perspective, off-axis too, or orthographic; its depths are not used. */
+  /** Perspective, including off-axis, or orthographic; its depths are not used. */
   clipFromView: Matrix;
   /** Pixels. */
   width: number;
   height: number;
   /** Points of each light that has a radius, 1 to 4096. Default: 64. */
   lightSamples?: number;
-  /** Whether `nearness` is drawn, too. Default: true. */
+  /** Whether to draw `nearness` too. Default: true. */
   nearness?: boolean;
 }
 
@@ -69,42 +80,42 @@ export interface Masks {
   /** RGBA, as large as the view; light i is channel i % 4 of textures[i / 4]: 1 lit, 0 not. */
   textures: WebGLTexture[];
   /**
-   * Which surface a pixel is of, for outlines that are others than the masks', as with
-   * multisampling: RGB, 24 bits, red the highest, of scale / depth + offset (perspective) or
+   * Identifies the surface of each pixel, for outlines that differ from the masks', as with
+   * multisampling. RGB hold 24 bits, red the highest, of scale / depth + offset (perspective) or
    * scale * depth + offset; 0: no surface.
    */
   nearness: { texture: WebGLTexture; scale: number; offset: number } | null;
 }
 
-/** Of the last draw(). Milliseconds are the CPU's. */
+/** Cost of the last draw(). Milliseconds are CPU time. */
 export interface MaskCost {
   buildMs: number;
   drawMs: number;
   vertexRuns: number;
-  /** On the GPU. */
+  /** Size on the GPU. */
   bytes: number;
-  /** A GL error that was there before; 0: none. Asked for where pictures are made alone. */
+  /** A GL error from before the call; 0: none. Only queried when pictures are created. */
   hostError: number;
 }
 
-/** Lights that one draw() can have. */
+/** Most lights in one draw(). */
 export const mostLights: number;
 
 export interface LookupOptions {
   /** Texels along the map's edge, a power of 2. Default: 512. */
   size?: number;
-  /** On the GPU; smaller maps are tried first. Default: 64 MiB. */
+  /** Limit on the GPU; smaller maps are tried first. Default: 64 MiB. */
   mostBytes?: number;
-  /** Ends the work. */
+  /** Cancels the work. */
   signal?: AbortSignal;
 }
 
-/** What a shader needs of a light at rest, by the names of lookupSource('PREFIX'). */
+/** Uniforms of a resting light's lookup, by the names of lookupSource('PREFIX'). */
 export interface LightLookup {
-  /** Why there is none, a clause; '': there is one, once uploaded. */
+  /** Why there is no map, a clause; '' if there is one, once uploaded. */
   why: string;
   uploaded: boolean;
-  /** PREFIX_table: of floats. */
+  /** PREFIX_table, a texture of floats. */
   texture: WebGLTexture | null;
   /** PREFIX_tableSize, a vec3. */
   tableSize: number[];
@@ -114,73 +125,81 @@ export interface LightLookup {
   size: number;
   /** PREFIX_kind, a float. */
   kind: number;
-  /** Times worldFromView, reckoned in doubles: PREFIX_mapFromHost, a mat4, for positions in the view. */
+  /**
+   * Multiplied by worldFromView, in doubles, it is PREFIX_mapFromHost, a mat4, for positions in
+   * view space.
+   */
   mapFromWorld: number[];
-  /** On the GPU. */
+  /** Size on the GPU. */
   bytes: number;
-  /** Triangles that a fragment may have to ask. */
+  /** Most triangles that a fragment may have to test. */
   longestList: number;
   buildMs: number;
 }
 
 /**
- * For any fragment shader, of GLSL ES 1.00 or 3.00, of any light:
- * `bool PREFIX_lit(highp vec3 position, highp vec3 towardsEye, bool casts)` says whether shadow lets
- * the light through. `position`: in the space of PREFIX_mapFromHost; `towardsEye`: from there, of any
- * length; `casts`: all that is drawn there was added with `casts`. It takes derivatives: in GLSL ES
- * 1.00 enable GL_OES_standard_derivatives and define EDGESHADE_DERIVATIVES before it, or ask
- * `PREFIX_litOn(position, towardsEye, normal, 16.0, casts)` with the triangle's own normal.
+ * Source for any fragment shader in GLSL ES 1.00 or 3.00, for any light:
+ * `bool PREFIX_lit(highp vec3 position, highp vec3 towardsEye, bool casts)` tells whether shadow
+ * lets the light through. `position`: in the space of PREFIX_mapFromHost; `towardsEye`: from there,
+ * of any length; `casts`: everything drawn there was added with `casts`. It uses derivatives: in
+ * GLSL ES 1.00 enable GL_OES_standard_derivatives and define EDGESHADE_DERIVATIVES before it, or
+ * call `PREFIX_litOn(position, towardsEye, normal, 16.0, casts)` with the triangle's own normal.
  */
 export function lookupSource(prefix: string): string;
 
 /** All methods throw an Error whose message is a sentence. */
 export class ShadowMasks {
   /**
-   * `keepsState`: all state of the context is after each call as before, which waits for what is
-   * being drawn. Without: bindings, switches and pixel storage alone; blending, stencil, depth,
-   * culling, masks and clear values are as drawing leaves them. Default: true.
+   * `keepsState`: each call restores all of the context's state, which waits for pending draws.
+   * Without it, only bindings, switches and pixel storage are restored; blending, stencil, depth,
+   * culling, masks and clear values stay as drawing set them. Default: true.
    */
   static create(gl: WebGLRenderingContext | WebGL2RenderingContext, options?: { keepsState?: boolean }): Promise<ShadowMasks>;
 
   /** Finds a mesh's edges in a worker. Resolves with the mesh's number. */
   prepare(mesh: MaskMesh): Promise<number>;
-  /** The same at once. */
+  /** The same, synchronously. */
   prepareNow(mesh: MaskMesh): number;
   /** Uploads it ahead of add(), so that no draw() takes long. */
   upload(mesh: number): void;
-  /** The number stands for nothing any more; what was added of it stays. */
+  /** Frees the number; meshes that were added with it stay. */
   release(mesh: number): void;
 
-  /** A mesh at a place, affine and invertible; as often as you like. Returns an id. */
+  /** Adds a mesh at a place, affine and invertible, as often as you like. Returns an id. */
   add(mesh: number, worldFromObject: Matrix): number;
-  /** Another mesh in the same place. */
+  /** Replaces the mesh, in the same place. */
   change(id: number, mesh: number): void;
-  /** Of an alpha-tested mesh; until it is set, and after change(), it has no holes. */
+  /** For an alpha-tested mesh, which has no holes until this is set, nor after change(). */
   setAlpha(id: number, alpha: MaskAlpha): void;
   move(id: number, worldFromObject: Matrix): void;
   remove(id: number): void;
 
-  /** The textures are the engine's to delete, and as they are until the next draw(). */
+  /** The textures belong to the engine, and stay valid until the next draw(). */
   draw(view: MaskView, lights: MaskLight[]): Masks;
   readonly cost: MaskCost;
 
   /**
-   * Has a worker build the map of a light at rest without a radius, of the casters as they are.
-   * Resolves with a lookup's number, or null if `signal` ended it.
+   * Has a worker build the map of a resting light without a radius, for the current casters.
+   * Resolves with a lookup's number, or null if `signal` cancelled it.
    */
   buildLookup(light: MaskLight, options?: LookupOptions): Promise<number | null>;
-  /** Uploads up to so many bytes of it, so that frames needn't wait. Whether all is there. */
+  /**
+   * Uploads up to this many bytes of it, so that frames needn't wait. Returns whether all is
+   * uploaded.
+   */
   uploadLookup(lookup: number, mostBytes?: number): boolean;
   lookup(lookup: number): LightLookup;
-  /** Whether the light and all that casts are as they were when the map was asked for. */
+  /** Whether the light and all casters are unchanged since the map was requested. */
   isCurrent(lookup: number, light: MaskLight): boolean;
   removeLookup(lookup: number): void;
-  /** Another number whenever what casts has changed, or where. */
+  /** Changes whenever a caster changes or moves. */
   readonly casterState: number;
 
-  /** When the context is lost: nothing can be added or drawn until restore(). */
+  /** Call it when the context is lost: nothing can be added or drawn until restore(). */
   forget(): void;
-  /** When it came back: begins anew, without what was added; meshes stay prepared. */
+  /**
+   * Call it when the context is back: starts again without what was added; meshes stay prepared.
+   */
   restore(): void;
   dispose(): void;
 }

@@ -1,4 +1,4 @@
-// Exact shadows in a WebGL context of one's own: what each light reaches, as textures.
+// Exact shadows in a host's WebGL context: textures that tell which pixels each light reaches.
 
 import { putBytes } from '../element/memory.js';
 import { HostState } from './host-state.js';
@@ -14,7 +14,7 @@ const kinds = ['directional', 'point', 'spot'];
 const lightNumbers = 10;
 const channels = ['alpha', 'green'];
 
-/** That one draw() can have. */
+/** Most lights in one draw(). */
 export const mostLights = 32;
 
 function numbersOf({ kind = 'directional', position = [0, 0, 0], direction = [0, -1, 0], range = Infinity,
@@ -30,10 +30,10 @@ export class ShadowMasks {
   #handle;
   #masks;
   #state;
-  #textures; // of the host, by mesh
+  #textures; // the host's, by mesh
   #packing;
   #lookups;
-  #allocatedFor = ''; // sizes that draw() has pictures of
+  #allocatedFor = ''; // sizes for which draw() has pictures
   #hostError = 0;
 
   #keepsState;
@@ -44,7 +44,7 @@ export class ShadowMasks {
     return new ShadowMasks(gl, await instantiate(module), module, keepsState);
   }
 
-  /** Not for pages: create() is. */
+  /** Internal: use create(). */
   constructor(gl, program, module, keepsState) {
     this.#gl = gl;
     this.#program = program;
@@ -63,13 +63,16 @@ export class ShadowMasks {
     this.restore();
   }
 
-  /** When the context is lost: nothing can be added or drawn until restore(). Meshes stay prepared. */
+  /**
+   * Call it when the context is lost: nothing can be added or drawn until restore(). Meshes stay
+   * prepared.
+   */
   forget() {
     this.#lookups.forget();
     this.#masks.forget();
   }
 
-  /** When it came back: begins anew, without casters. */
+  /** Call it when the context is back: starts again without casters. */
   restore() {
     const webGl2 = typeof WebGL2RenderingContext !== 'undefined' && this.#gl instanceof WebGL2RenderingContext;
     if (!webGl2) this.#gl.getExtension('ANGLE_instanced_arrays');
@@ -77,7 +80,7 @@ export class ShadowMasks {
     this.#handle = this.#program.GL.registerContext(this.#gl, { majorVersion: webGl2 ? 2 : 1, minorVersion: 0,
       enableExtensionsByDefault: !webGl2 });
     this.#textures = new HostTextures(this.#program.GL);
-    // Emscripten numbers what is the program's, and takes the number from what was deleted.
+    // Emscripten numbers the program's objects, and takes the number from deleted ones.
     this.#state = new HostState(this.#gl, (texture) => texture.name === 0);
     this.#allocatedFor = '';
     this.#takeHostError();
@@ -90,7 +93,7 @@ export class ShadowMasks {
     return this.#numberOf(this.#masks.take(...putBytes(this.#program, bytes)));
   }
 
-  /** The same at once. */
+  /** The same, synchronously. */
   prepareNow(mesh) {
     return withMesh(this.#program, meshNumbers(mesh), (...numbers) => this.#numberOf(this.#masks.prepare(...numbers)));
   }
@@ -113,7 +116,7 @@ export class ShadowMasks {
     this.#textures.drop(id);
   }
 
-  /** What an alpha-tested mesh has of alpha. */
+  /** Sets the alpha of an alpha-tested mesh. */
   setAlpha(id, { texture = null, channel = 'alpha', opacity = 1, cutoff = 0.5, texcoordTransform = [1, 0, 0, 0, 1, 0, 0, 0, 1] }) {
     if (!channels.includes(channel)) throw new Error(`Alpha is in the channel '${channel}', which is none of ${channels.join(', ')}.`);
     const numbers = Float32Array.from([opacity, cutoff, ...texcoordTransform]);
@@ -149,18 +152,18 @@ export class ShadowMasks {
     };
   }
 
-  /** Has a worker build the map of a light at rest, of the casters as they are. Resolves with the lookup's id, or
-   * null if `signal` ended it. */
+  /** Has a worker build the map of a resting light, for the current casters. Resolves with the
+   * lookup's id, or null if `signal` cancelled it. */
   buildLookup(light, options) {
     return this.#lookups.build(light, options);
   }
 
-  /** Uploads it, up to so many bytes. Whether all is there. */
+  /** Uploads up to this many bytes of it. Returns whether all is uploaded. */
   uploadLookup(id, mostBytes) {
     return this.#lookups.upload(id, mostBytes);
   }
 
-  /** What a shader needs of it, by the names of lookupSource(), or why there is none. */
+  /** The uniforms of its lookup, by the names of lookupSource(), or why there is none. */
   lookup(id) {
     return this.#lookups.of(id);
   }
@@ -173,7 +176,7 @@ export class ShadowMasks {
     this.#lookups.remove(id);
   }
 
-  /** Another number whenever what casts has changed, or where. */
+  /** Changes whenever a caster changes or moves. */
   get casterState() {
     return this.#masks.casterState();
   }
@@ -190,9 +193,9 @@ export class ShadowMasks {
     this.#program.GL.deleteContext(this.#handle);
   }
 
-  /** Where pictures are made errors are asked for, which must not be somebody else's. */
+  /** Clears earlier errors before pictures are created, since errors are queried there. */
   #takeHostError() {
-    for (let i = 0; i < 16; ++i) { // a lost context never runs out of them
+    for (let i = 0; i < 16; ++i) { // a lost context never runs out of errors
       const error = this.#gl.getError();
       if (error === this.#gl.NO_ERROR) return;
       this.#hostError ||= error;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <string_view>
-#define GL_GLEXT_PROTOTYPES // their declarations
+#define GL_GLEXT_PROTOTYPES // declares the entry points
 #include <GLES3/gl3.h>
 
 namespace edgeshade::web {
@@ -25,7 +25,7 @@ const Entry entries[] = {
 
 void* webFunction(const char* name) {
     std::string_view wanted = name;
-    constexpr std::string_view extension = "ANGLE"; // in WebGL 1, by the same functions
+    constexpr std::string_view extension = "ANGLE"; // suffix in WebGL 1, for the same functions
     if (wanted.ends_with(extension)) wanted.remove_suffix(extension.size());
     const auto* found = std::find_if(std::begin(entries), std::end(entries),
                                      [&](const Entry& entry) { return entry.name == wanted; });

@@ -1,22 +1,28 @@
-// What is asked of a worker that answers: {number, result} or {number, problem}.
+// Calls to a worker, which answers each with {number, result} or {number, problem}.
 
 export class WorkerCalls {
   #start;
   #does;
   #idleMilliseconds;
   #worker = null;
-  #waiting = new Map(); // by number: what settles a promise
+  #waiting = new Map(); // resolve and reject of each call's promise, by number
   #next = 1;
   #idle = 0;
 
-  /** `start()` gives a Worker; `does`: what it does, for sentences; it goes when nothing was asked of it for so long. */
+  /**
+   * `start()` returns a Worker; `does`: its work, for error sentences. The worker ends after this
+   * long without calls.
+   */
   constructor(start, does, idleMilliseconds = Infinity) {
     this.#start = start;
     this.#does = does;
     this.#idleMilliseconds = idleMilliseconds;
   }
 
-  /** Resolves with the result; throws a sentence. With `signal` it is told to leave it, and null comes of it. */
+  /**
+   * Resolves with the result; throws a sentence. `signal` cancels the call in the worker, which
+   * then resolves with null.
+   */
   async ask(message, { transfer = [], signal } = {}) {
     clearTimeout(this.#idle);
     this.#worker ??= this.#started();

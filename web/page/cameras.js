@@ -1,4 +1,4 @@
-// The menu of a scene's cameras, there where it has some. The view goes there and stays free.
+// The menu of a scene's cameras, shown if it has any. The view moves there and stays free.
 
 /** Shows or hides `section` after each load; choosing from its `menu` moves the viewer's camera. */
 export function connectCameras(viewer, section, menu) {
@@ -12,7 +12,7 @@ export function connectCameras(viewer, section, menu) {
       ...cameras.map(({ name }, index) => new Option(name, String(index))));
     section.hidden = cameras.length === 0;
   });
-  // Where somebody moves it, it is no camera of the file.
+  // Once somebody moves it, the view matches no camera of the file.
   viewer.addEventListener('change', () => {
     const chosen = cameras[Number(menu.value)];
     if (menu.value !== '' && !isSame(viewer.state?.camera, chosen?.camera)) menu.value = '';

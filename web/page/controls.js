@@ -1,4 +1,4 @@
-// The panel's controls, kept equal to the viewer's state in both directions.
+// The panel's controls, in sync with the viewer's state in both directions.
 
 import { aimed, isSun, kindOf, placeOf } from '../element/lights.js';
 import { check, choose, slider } from './inputs.js';
@@ -26,7 +26,7 @@ function mapSize(id, onChange) {
   };
 }
 
-/** off, catcher, or a colour of its own. */
+/** off, catcher, or a colour of the ground's own. */
 function groundChoice(onChange) {
   const [select, color] = [$('ground'), $('ground-color')];
   const choose = () => onChange(select.value === 'color' ? color.value : select.value);
@@ -40,7 +40,7 @@ function groundChoice(onChange) {
   };
 }
 
-/** Chips, one a light. */
+/** Shows one chip per light. */
 function showLights(state, choose) {
   const box = $('lights');
   while (box.children.length > state.lights.length) box.lastChild.remove();
@@ -58,7 +58,7 @@ function showLights(state, choose) {
   });
 }
 
-/** Wires the controls. Returns refresh(), which shows the viewer's state. */
+/** Connects the controls. Returns refresh(), which shows the viewer's state. */
 export function connectControls(viewer) {
   const run = (command) => viewer.run(command);
   for (const [id, command] of [['light-add', 'addLight'], ['light-remove', 'removeLight'],

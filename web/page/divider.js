@@ -1,11 +1,11 @@
-// The handle of the split, with what each side shows.
+// The handle of the split, labelled with the method of each side.
 
 import { connectHandle, showHandle } from './handle.js';
 
-const names = { auto: 'Exact', volumes: 'Volumes', 'primitive-map': 'Exact, looked up', none: 'No shadows' };
+const names = { auto: 'Exact', volumes: 'Volumes', 'primitive-map': 'Exact, lookup', none: 'No shadows' };
 const nameOf = (side) => names[side.shadows] ?? `Map ${side.map_size}`;
 
-/** Returns refresh(), which puts the handle where the state says. */
+/** Returns refresh(), which moves the handle to the state's position. */
 export function connectDivider(viewer, divider) {
   connectHandle(divider, viewer, {
     at: () => viewer.state.split_at,

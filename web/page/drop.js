@@ -16,16 +16,16 @@ async function filesBelow(entry, folder = '') {
 }
 
 async function filesOf(transfer) {
-  // Entries must be taken before the first await.
+  // Entries must be read before the first await.
   const entries = [...transfer.items].map((item) => item.webkitGetAsEntry?.()).filter(Boolean);
   if (entries.some((entry) => entry.isDirectory))
     return (await Promise.all(entries.map((entry) => filesBelow(entry)))).flat();
   return [...transfer.files];
 }
 
-/** Calls onFiles(files) for what is dropped anywhere on the page or picked. */
+/** Calls onFiles(files) for files that are dropped anywhere on the page or picked. */
 export function acceptFiles({ overlay, picker, openButton, onFiles, onProblem }) {
-  let depth = 0; // dragenter and dragleave come for every element on the way
+  let depth = 0; // dragenter and dragleave arrive for every element on the way
   const show = (on) => { overlay.hidden = !on; };
   const hasFiles = (event) => event.dataTransfer?.types.includes('Files');
   addEventListener('dragenter', (event) => {
@@ -45,7 +45,7 @@ export function acceptFiles({ overlay, picker, openButton, onFiles, onProblem })
     try {
       onFiles(await filesOf(event.dataTransfer));
     } catch (error) {
-      onProblem(`What was dropped could not be read: ${error.message}`);
+      onProblem(`The dropped files could not be read: ${error.message}`);
     }
   });
   openButton.addEventListener('click', () => picker.click());

@@ -1,16 +1,16 @@
-// The table of figures: what the last frames took and what is in the scene.
+// The table of figures: the cost of the last frames and the contents of the scene.
 
 const milliseconds = (value) => `${value.toFixed(value < 10 ? 2 : 1)} ms`;
 const whole = (value) => Math.round(value).toLocaleString('en');
 
-/** [label, text] of each figure that is known. `stats` as the viewer gives them. */
+/** [label, text] of each known figure. `stats`: from the viewer. */
 export function rowsOf(stats, loaded, sizeText) {
   const rows = [];
   const put = (label, value, text) => {
     if (value !== undefined && value !== null) rows.push([label, text(value)]);
   };
   put('Frame', stats.frame_ms, milliseconds);
-  put('of it planning', stats.plan_ms, milliseconds);
+  put('of which planning', stats.plan_ms, milliseconds);
   if (stats.pose_ms > 0) put('besides, posing', stats.pose_ms, milliseconds);
   for (const [stage, value] of Object.entries(stats.stage_ms ?? {}))
     if (value > 0) put(`of it ${stage}`, value, milliseconds);

@@ -1,8 +1,11 @@
-// A handle between two parts of a picture, dragged or moved by keys.
+// A handle between two parts of a picture, moved by dragging or by keys.
 
 const step = 0.02;
 
-/** `at()`: its place as a share of the area's width, 0 to 1; `moveTo(share)` is told where it is wanted, within these. */
+/**
+ * `at()`: its place as a share of the area's width, 0 to 1; `moveTo(share)` is called with its new
+ * place, in the same range.
+ */
 export function connectHandle(handle, area, { at, moveTo }) {
   const within = (share) => moveTo(Math.min(1, Math.max(0, share)));
   const shareOf = (event) => {
@@ -25,7 +28,7 @@ export function connectHandle(handle, area, { at, moveTo }) {
   });
 }
 
-/** Puts it at a share, with what lies at its left and its right in words. */
+/** Places it at a share, and describes the parts to its left and right in words. */
 export function showHandle(handle, share, left, right) {
   handle.style.left = `${100 * share}%`;
   handle.setAttribute('aria-valuenow', String(Math.round(100 * share)));

@@ -1,6 +1,6 @@
-// What the panel is made of.
+// The panel's inputs.
 
-/** A slider with its value beside it in words. Returns show(value). */
+/** A slider with its value in words beside it. Returns show(value). */
 export function slider(id, words, onInput) {
   const input = document.getElementById(id);
   const output = input.parentElement.querySelector('output');
@@ -13,14 +13,14 @@ export function slider(id, words, onInput) {
   };
 }
 
-/** A box. Returns show(on). */
+/** A checkbox. Returns show(on). */
 export function check(id, onChange) {
   const input = document.getElementById(id);
   input.addEventListener('change', () => onChange(input.checked));
   return (value) => { input.checked = value; };
 }
 
-/** Shows a value in a menu, which need not have had it. */
+/** Shows a value in a menu, and adds it if it is missing. */
 export function choose(select, value, words) {
   if (![...select.options].some((option) => option.value === value)) select.append(new Option(words, value));
   select.value = value;

@@ -1,4 +1,4 @@
-// A time of the state, "2026-06-21T14:30+02:00", as sliders have it, and back.
+// Converts a time of the state, "2026-06-21T14:30+02:00", to values of sliders and back.
 
 const minute = 60000;
 const two = (value) => String(value).padStart(2, '0');
@@ -22,26 +22,26 @@ const startOf = (year) => {
 
 export const daysOfYear = (year) => (startOf(year + 1) - startOf(year)) / (1440 * minute);
 
-/** 1 for the first of January. */
+/** Day of the year, 1 for the first of January. */
 export function dayOf(date) {
   return 1 + (Date.parse(date) - startOf(Number(date.slice(0, 4)))) / (1440 * minute);
 }
 
-/** The other way. */
+/** The inverse of dayOf(). */
 export const dateOf = (year, day) =>
   new Date(startOf(year) + (day - 1) * 1440 * minute).toISOString().slice(0, 10);
 
-/** "+05:30" of minutes ahead of UTC. */
+/** "+05:30" from minutes ahead of UTC. */
 export function offsetText(ahead) {
   const size = Math.abs(ahead);
   return `${ahead < 0 ? '-' : '+'}${two(Math.floor(size / 60))}:${two(size % 60)}`;
 }
 
-/** Offsets of clocks that there are, in minutes. */
+/** Offsets of the world's clocks, in minutes. */
 export const offsets = [...Array(27)].map((_, i) => 60 * (i - 12))
   .concat([-570, -210, 210, 270, 330, 345, 390, 525, 570, 630, 765]).sort((a, b) => a - b);
 
-/** Now, by the reader's clock, to five minutes. */
+/** Now, by the user's clock, to five minutes. */
 export function now() {
   const date = new Date(5 * minute * Math.round(Date.now() / (5 * minute)));
   const ahead = -date.getTimezoneOffset();

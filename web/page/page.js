@@ -16,9 +16,9 @@ const $ = (id) => document.getElementById(id);
 const viewer = $('viewer');
 const reducedMotion = matchMedia('(prefers-reduced-motion: reduce)');
 
-let model = null; // what is shown: {url} or {file}
-let loaded = null; // the detail of its load
-let wantedForFile = null; // {file, changes}: an address that names a file on the user's device
+let model = null; // on show: {url} or {file}
+let loaded = null; // detail of its load event
+let wantedForFile = null; // {file, changes}: from an address that names a file on the user's device
 
 connectCameras(viewer, $('cameras'), $('camera'));
 connectVariants(viewer, $('variants'), $('variant'));
@@ -42,7 +42,7 @@ async function show(source, next, views) {
     return true;
   } catch {
     if (!viewer.loaded) $('scene-name').textContent = 'No scene yet: drop one here, or open one.';
-    return false; // the element has told the user
+    return false; // the element has informed the user
   }
 }
 
@@ -57,7 +57,8 @@ function showFiles(files) {
 function showSample(changes) {
   const { width, height } = viewer.getBoundingClientRect();
   const panel = $('panel').getBoundingClientRect();
-  const covered = panel.left > 0 ? (width - panel.left) / width : 0; // a sheet lies below the picture
+  const covered = panel.left > 0 ? (width - panel.left) / width : 0; // a sheet lies below the
+                                                                     // picture
   const home = sampleView(width / height, covered);
   return show(sampleUrl, { url: sampleUrl }, { home, state: changes });
 }
@@ -72,8 +73,8 @@ async function showAddress() {
   if (asked?.file) {
     wantedForFile = { file: asked.file, changes };
     await showSample({});
-    viewer.say(`This address shows '${asked.file}', which lies on a device and not on a server: ` +
-      'drop that file here, and the view is as it was.');
+    viewer.say(`This address shows '${asked.file}', which is on a device and not on a server: ` +
+      'drop that file here to restore the view.');
   } else if (asked?.url && asked.url !== sampleUrl) {
     await show(asked.url, asked, { state: changes });
   } else {
@@ -90,7 +91,7 @@ acceptFiles({
   onProblem: (sentence) => viewer.say(sentence, 'error'),
 });
 
-// ---- keeping page, picture and address alike ---------------------------------------------------
+// ---- page, picture and address in sync ---------------------------------------------------------
 
 let refreshing = 0;
 let saving = null;
@@ -109,7 +110,7 @@ function refresh() {
     refreshing = 0;
     refreshControls();
     refreshDivider();
-    // Browsers limit how often it may change.
+    // Browsers limit how often the address may change.
     saving ??= setTimeout(saveAddress, viewer.state?.day_playing ? 2000 : 300);
   });
 }
@@ -128,7 +129,7 @@ reducedMotion.addEventListener('change', () => {
   if (reducedMotion.matches && viewer.loaded) viewer.change({ playing: false, day_playing: false });
 });
 
-// ---- buttons that are the page's own -----------------------------------------------------------
+// ---- the page's own buttons --------------------------------------------------------------------
 
 $('screenshot').addEventListener('click', async () => {
   try {

@@ -1,4 +1,4 @@
-// On a phone the panel is a sheet at the bottom, folded until it is asked for.
+// On a phone the panel is a sheet at the bottom, folded until it is opened.
 
 const narrow = matchMedia('(max-width: 720px)');
 
@@ -6,7 +6,7 @@ export function connectSheet(panel, button) {
   const fold = (folded) => {
     panel.classList.toggle('folded', folded);
     button.setAttribute('aria-expanded', String(!folded));
-    button.textContent = folded ? 'Controls' : 'Fold';
+    button.textContent = folded ? 'Controls' : 'Hide';
   };
   fold(narrow.matches);
   narrow.addEventListener('change', () => fold(narrow.matches));

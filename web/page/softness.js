@@ -1,19 +1,19 @@
-// How large the chosen light is: sliders, and how far its soft shadow is.
+// Sliders for the chosen light's extent, with the progress of its soft shadow.
 
 import { isSun, withExtent } from '../element/lights.js';
 import { slider } from './inputs.js';
 
 const $ = (id) => document.getElementById(id);
-const largestShare = 0.1; // of the scene's size, a lamp's radius
+const largestShare = 0.1; // largest radius of a lamp, as a share of the scene's size
 
-/** Wires the sliders. Returns refresh(state). */
+/** Connects the sliders. Returns refresh(state). */
 export function connectSoftness(viewer) {
   const change = (value) => {
     const { lights, chosen_light: chosen } = viewer.state;
     lights[chosen] = withExtent(lights[chosen], value);
     viewer.change({ lights });
   };
-  // A lamp's slider goes by the root, so that small ones can be told apart.
+  // A lamp's slider follows the square root, so that small radii can be distinguished.
   const largest = () => largestShare * viewer.sceneSize;
   const radiusOf = (value) => (value / 100) ** 2 * largest();
   const angle = slider('sun-angle', (v) => (v > 0 ? `${v.toFixed(2)}°` : 'hard'), change);
@@ -23,7 +23,7 @@ export function connectSoftness(viewer) {
     const { shown, of } = viewer.lightPoints;
     $('light-points').hidden = of === 0;
     $('light-points').textContent = shown < of
-      ? `Soft shadow: ${shown} of ${of} points` : `Soft shadow of ${of} points`;
+      ? `Soft shadow: ${shown} of ${of} points` : `Soft shadow: ${of} points`;
   };
   viewer.addEventListener('frame', showPoints);
   return function refresh(state) {

@@ -1,4 +1,4 @@
-// The part of the panel about a sun by place and time.
+// The panel's controls for a sun by place and time.
 
 import { check, slider } from './inputs.js';
 import { connectSunHours } from './sun-hours.js';
@@ -6,13 +6,13 @@ import { clockOf, dateOf, dayOf, daysOfYear, now, offsetText, offsets, partsOf, 
 
 const $ = (id) => document.getElementById(id);
 
-/** Before anybody has said where: the reader's clock, and the longitude where it is the sun's. */
+/** Default: the user's clock, and the longitude at which that clock is the sun's. */
 function somewhere() {
   const { time, ahead } = now();
   return { place: [48, Math.max(-180, Math.min(180, ahead / 4))], time, north: 0 };
 }
 
-/** A sentence about where it is. */
+/** A sentence about the sun's position. */
 function textOf({ azimuth, altitude, up, rise, set }) {
   const clock = (time) => partsOf(time).minutes;
   const where = `Azimuth ${azimuth.toFixed(1)}°, height ${altitude.toFixed(1)}°`;
@@ -22,7 +22,7 @@ function textOf({ azimuth, altitude, up, rise, set }) {
   return `${where}: ${up ? '' : 'below the horizon, '}${when}.`;
 }
 
-/** Wires the controls. Returns refresh(state). */
+/** Connects the controls. Returns refresh(state). */
 export function connectSun(viewer) {
   const parts = () => partsOf(viewer.state.sun.time);
   const change = (sun) => viewer.change({ sun });

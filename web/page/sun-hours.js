@@ -1,5 +1,5 @@
-// Hours of sun over the picture: box and step, how far they are counted, their colours, and what is
-// under the pointer.
+// Hours of sunlight over the picture: checkbox and step, progress of the count, colours, and the
+// value under the pointer.
 
 import { hourColors } from '../element/hour-colors.js';
 import { check, choose } from './inputs.js';
@@ -13,17 +13,17 @@ export function durationText(minutes) {
   return [hours && `${hours} h`, rest && `${rest} min`].filter(Boolean).join(' ') || '0 h';
 }
 
-/** Of a surface. */
+/** Hours of sunlight of one surface. */
 export const hoursText = ({ lit, of, step }) => `${durationText(lit * step)} of ${durationText(of * step)}`;
 
-/** How far it is, in words. */
+/** Progress of the count, in words. */
 export function progressText({ counted, of }, moves) {
   if (of === 0) return 'The sun does not rise on this day.';
   if (counted < of) return `Hours of sun: ${counted} of ${of} sun positions`;
-  return moves ? 'Hours of sun: once nothing moves' : `Hours of sun, of ${of} positions`;
+  return moves ? 'Hours of sun: shown when nothing moves' : `Hours of sun, from ${of} positions`;
 }
 
-/** Wires the controls. Returns refresh(state). */
+/** Connects the controls. Returns refresh(state). */
 export function connectSunHours(viewer) {
   const box = check('sun-hours', (on) => viewer.change({ sun_hours: on }));
   const select = $('sun-hours-step');
@@ -31,7 +31,7 @@ export function connectSunHours(viewer) {
   select.addEventListener('change', () => viewer.change({ sun_hours_step: Number(select.value) }));
   $('hours-scale').firstElementChild.style.background = `linear-gradient(90deg, ${hourColors})`;
 
-  let pointer = null; // where it is; null: nowhere, or dragging
+  let pointer = null; // its position; null: away, or dragging
   let next = 0;
   const point = () => {
     const here = pointer && viewer.sunHoursAt(...pointer);
@@ -60,7 +60,7 @@ export function connectSunHours(viewer) {
   viewer.addEventListener('frame', later);
   for (const type of ['pointermove', 'pointerdown', 'pointerup', 'pointerleave'])
     viewer.addEventListener(type, (event) => {
-      // A finger that is lifted has pointed.
+      // A lifted finger keeps its last position.
       if (type === 'pointerleave' && event.pointerType !== 'mouse') return;
       pointer = type === 'pointerleave' || event.buttons ? null : [event.clientX, event.clientY];
       point();

@@ -1,4 +1,5 @@
-// A sun's direction as compass and height, in degrees. Compass 0 is -Z, north on a map; 90 is +X.
+// A sun's direction as compass direction and height, in degrees. Compass 0 is -Z, north on a map;
+// 90 is +X.
 
 const degrees = 180 / Math.PI;
 

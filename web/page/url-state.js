@@ -1,4 +1,5 @@
-// The state in the address bar: #model=…&camera=…&light=…, so that a view can be kept and sent.
+// The state in the address bar: #model=…&camera=…&light=…, so that a view can be bookmarked and
+// sent.
 
 const short = (value) => String(Number(Number(value).toPrecision(7)));
 const list = (values) => values.map(short).join(',');
@@ -51,19 +52,19 @@ export function hashOf(model, state) {
 function numbers(text, key, ...counts) {
   const values = text.split(',').map(Number);
   if (!values.every(Number.isFinite) || text.trim() === '' || !counts.includes(values.length))
-    throw new Error(`The address's '${key}' is '${text.slice(0, 60)}', which is no list of ` +
+    throw new Error(`The address's '${key}' is '${text.slice(0, 60)}', which is not a list of ` +
       `${counts.join(' or ')} numbers; the view starts without it.`);
   return values;
 }
 
-/** x,y,z,w with or without a range, or a light by names, as JSON; what they say the viewer checks. */
+/** x,y,z,w with or without a range, or a light by names, as JSON; the viewer checks the values. */
 function lightOf(text) {
   if (!text.trimStart().startsWith('{')) return numbers(text, 'light', 4, 5);
   try {
     return JSON.parse(text);
   } catch {
-    throw new Error(`The address's 'light' is '${text.slice(0, 60)}', which is no JSON; the view ` +
-      'starts without it.');
+    throw new Error(`The address's 'light' is '${text.slice(0, 60)}', which is not JSON; ` +
+      'the view starts without it.');
   }
 }
 
@@ -78,8 +79,8 @@ function sideOf(words, prefix, shadows) {
 }
 
 /**
- * What an address asks for: {model, changes, problems}, the model as in hashOf(). Parts that make no
- * sense are left out, with a sentence each in `problems`.
+ * The contents of an address: {model, changes, problems}, the model as in hashOf(). Invalid parts
+ * are left out, and `problems` has a sentence for each.
  */
 export function readHash(hash) {
   const words = new URLSearchParams(hash.replace(/^#/, ''));

@@ -32,7 +32,7 @@ async function requireOther(page, first, second, what) {
   assert.ok(different > 0.001 * pixels, `${what}: ${different} of ${pixels} pixels differ`);
 }
 
-/** Seconds of the animation that pass in a second of the frames' clock. */
+/** Seconds of the animation per second of the frames' clock. */
 const pace = (page, speed) => page.evaluate((wanted) => new Promise((resolve) => {
   const viewer = document.querySelector('#viewer');
   let first = null;
@@ -113,7 +113,7 @@ test('an address that plays does so unless less motion is wanted', async () => {
 
 const asset = (name) => readFileSync(join(repository, 'assets', name));
 
-/** A file of the repository's, dropped onto the page without a floor of the viewer's own. */
+/** A file of the repository, dropped onto the page without the viewer's ground. */
 async function dropped(page, name) {
   await drop(page, [{ name, bytes: asset(name) }]);
   await page.waitForFunction((text) => document.querySelector('#scene-name').textContent.startsWith(text), name);
@@ -121,7 +121,10 @@ async function dropped(page, name) {
     lights: [[0.6, 1, 0.5, 0]], camera: { from: [3, 2, 4], to: [0, 0.9, 0], fov: 45 } });
 }
 
-/** What the program draws of the page's scene at its time, less what two rasterisers see otherwise. */
+/**
+ * Compares with the native program's picture of the page's scene at its time, allowing for
+ * differences between two rasterisers.
+ */
 async function requireNative(page, name, clip) {
   const state = await stateOf(page);
   const native = rendered(state, ['--shading', 'base', '--time', `${state.time}`, '--animation', clip],

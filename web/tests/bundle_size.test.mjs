@@ -1,5 +1,5 @@
-// What bundlers and compilers make of the package: a page gets of it what it imports and no more, how much that is,
-// and types.
+// The package as bundlers and compilers use it: a page gets only what it imports, within limits on
+// its size, and has types.
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
@@ -15,12 +15,13 @@ const skip = missing('esbuild', 'vite', 'three');
 before(() => skip || installIn(folder));
 after(() => rmSync(folder, { recursive: true }));
 
-/** Where a module is in dist/; '' for others. */
+/** A module's path in dist/; '' for others. */
 const place = (path) => path.split('edgeshade/dist/')[1] ?? '';
 const left = (parts, bytes) => Object.keys(parts).filter((path) => parts[path][bytes] > 0).map(place).filter(Boolean);
 
-/** Bundlers: of a page's script, without three.js, {code, modules, files}: of the package what something is left of,
- * and [name, contents] of all that is served. */
+/** Bundlers. Each takes a page's script, without three.js, and returns {code, modules, files}:
+ * the package's modules of which something is left, and [name, contents] of all files that are
+ * served. */
 const bundlers = {
   async esbuild(script, beside = []) {
     const { build } = await import('esbuild');
@@ -42,8 +43,8 @@ const bundlers = {
   },
 };
 
-/** By entry: a page's script, words of its own modules that minifying leaves, the folders that it takes all of what
- * it has from, and its program. */
+/** By entry: a page's script, a string of the entry's own modules that survives minifying, the
+ * folders from which it may take modules, and its program. */
 const entries = {
   three: { script: "import { ExactShadows } from 'edgeshade/three'; window.use = ExactShadows;", mark: 'edgeshadeNearness',
     folders: ['three', 'masks'], program: 'edgeshade-masks' },

@@ -1,5 +1,6 @@
-// The package as its users have it: installed from npm's tarball, and the README's lines for each entry in pages
-// made by Vite, by esbuild, and by nobody. Their shadows are where they belong.
+// The package as its users have it: installed from npm's tarball, with the README's lines for each
+// entry in pages built by Vite, by esbuild, and without a bundler. The shadows must be in the right
+// places.
 
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -17,7 +18,7 @@ const folder = mkdtempSync(join(tmpdir(), 'edgeshade-packed-'));
 const skip = missing('esbuild', 'vite', 'three');
 const shared = useBrowser({ roots: { '/': `${folder}/` } });
 
-/** Without a bundler. */
+/** Import map for pages without a bundler. */
 const imports = {
   three: '/node_modules/three/build/three.module.js',
   edgeshade: '/node_modules/edgeshade/dist/element/edgeshade-viewer.js',
@@ -31,7 +32,10 @@ const [tag] = /<edgeshade-viewer[^]*<\/edgeshade-viewer>/.exec(elementHtml);
 
 const lines = (entry) => blocksOf(`\`${entry}\``, 'js').join('\n');
 
-/** Each page's script: the README's lines between what they are given and what is asked of them; its body. */
+/**
+ * Each page's script: the README's lines, after the globals that they need and before the questions
+ * of the test; its body.
+ */
 const pages = {
   three: { script: `import './three-world.js';\n${lines('edgeshade/three')}` },
   masks: {
@@ -51,7 +55,7 @@ window.shadowAndLight = () => seen;`,
 const html = (script, { head = '', body = '' } = {}) =>
   `<!DOCTYPE html><link rel="icon" href="data:,">${head}<body>${body}<script type="module" src="${script}"></script>`;
 
-/** A page of `pages` as `name`.html in a folder of the site. */
+/** Writes a page of `pages` as `name`.html into a folder of the site. */
 function write(where, name, script, extra) {
   mkdirSync(join(folder, where), { recursive: true });
   writeFileSync(join(folder, where, `${name}.html`), html(script, { ...extra, body: pages[name].body }));
@@ -69,7 +73,7 @@ before(() => {
 });
 after(() => rmSync(folder, { recursive: true }));
 
-/** Waits until a place in shadow is dark and one in light is not. */
+/** Waits until one place in shadow is dark and one in light isn't. */
 async function showsShadow(address) {
   const page = await shared.open(address, { scene: false, size: { width: 400, height: 300 } });
   await page.waitForFunction(() => {
@@ -123,7 +127,7 @@ test('what a bundle doesn\'t find is said', { skip }, async () => {
     await shared.check(page, [/404/]);
     return sentence;
   };
-  assert.match(await problem(), /program could not be fetched: the server said 404/);
+  assert.match(await problem(), /program could not be fetched: the server answered 404/);
   cpSync(join(folder, 'node_modules/edgeshade/dist/wasm'), join(folder, 'alone/wasm'), { recursive: true });
   assert.match(await problem(), /worker that finds edges/);
 });

@@ -1,4 +1,5 @@
-// The page that compares with three.js's own maps: it shows, measures and saves, where three.js is installed.
+// The page that compares with three.js's own maps: it shows, measures and saves, if three.js is
+// installed.
 
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
@@ -15,7 +16,7 @@ const shared = useBrowser();
 const skip = existsSync(join(repository, 'web/node_modules/three/package.json')) ? false
   : "three is not installed; 'npm ci' in web/ does that.";
 
-/** The page as it shows a small scene. */
+/** Opens the page with a small scene. */
 async function opened(query = '', { model = '/tests/small.gltf', ...options } = {}) {
   const page = await shared.open(`/compare/?antialias=off&model=${model}&light=-0.61,0.71,-0.35,0&${query}`, { scene: false, size: { width: 740, height: 300 }, ...options });
   await page.waitForFunction(() => window.comparison);
@@ -27,14 +28,14 @@ const sentenceOf = (page) => page.textContent('#problem');
 const nameOf = (page) => page.textContent('#scene-name');
 const dropHere = (page, files) => drop(page, files, '#picture');
 
-/** Of the first texture of what is shown. */
+/** Width of the first texture in the scene on show. */
 const textureWidth = (page) => page.evaluate(async () => {
   let found = null;
   (await window.comparison).world.scene.traverse(({ material }) => { found ??= material?.map?.image?.width ?? null; });
   return found;
 });
 
-/** In the page: pixels of a method, RGBA as a picture of itself. */
+/** In the page: a method's pixels, RGBA, as a picture. */
 const evaluated = (page, act, asked) => page.evaluate(async ({ text, given }) => {
   const comparison = await window.comparison;
   const { world, frameOf } = comparison;
@@ -91,7 +92,7 @@ test('the exact picture is the adapter\'s', { skip }, async () => {
     const ours = pixelsOf('exact');
     const without = pixelsOf('none');
     pixelsOf('exact');
-    // The scene as the method leaves it, by an adapter of one's own.
+    // The same scene, drawn after `exact` by an adapter of the test's own.
     const { scene, camera, renderer } = world;
     world.exact.dispose();
     const exact = world.method('exact');
@@ -170,7 +171,7 @@ test('what can\'t be shown gets a sentence, and what was shown stays', { skip },
   const page = await opened();
   const before = await nameOf(page);
   for (const [files, pattern] of [
-    [[{ name: 'notes.txt', bytes: Buffer.from('hello') }], /^'notes\.txt' is no glTF scene/],
+    [[{ name: 'notes.txt', bytes: Buffer.from('hello') }], /^'notes\.txt' is not a glTF scene/],
     [[{ name: 'broken.glb', bytes: Buffer.from('glTF and no more') }], /^'broken\.glb' can't be shown: three\.js reads no glTF out of it \(.+\)\.$/],
     [[{ name: 'words.gltf', bytes: Buffer.from('no JSON') }], /^'words\.gltf' can't be shown/],
     [[{ name: 'bare.gltf', bytes: Buffer.from('{"asset":{"version":"2.0"},"scenes":[{}],"scene":0}') }], /there is no surface in it\)\.$/],
@@ -184,7 +185,7 @@ test('what can\'t be shown gets a sentence, and what was shown stays', { skip },
   await page.waitForFunction(() => document.querySelector('#problem').hidden);
   await shared.check(page);
   const gone = await opened('', { model: 'nothing.glb' });
-  assert.match(await sentenceOf(gone), /'nothing\.glb' is not there: the server said 404\./);
+  assert.match(await sentenceOf(gone), /'nothing\.glb' was not found: the server answered 404\./);
   assert.match(await nameOf(gone), /No model yet/);
   await shared.check(gone, [/404/]);
 });

@@ -6,9 +6,9 @@ import { loaded, settled, smallPage, useBrowser, waitForNotice } from './support
 import { compare, picture } from './support/pictures.mjs';
 
 const shared = useBrowser();
-const chatter = [/CONTEXT_LOST_WEBGL/, /context lost/i]; // Chromium's own
+const chatter = [/CONTEXT_LOST_WEBGL/, /context lost/i]; // Chromium's own messages
 
-/** Remembers the extension, which can't be asked for while the context is lost. */
+/** Keeps the extension, which can't be requested while the context is lost. */
 function keepLoseContext() {
   const { getContext } = HTMLCanvasElement.prototype;
   HTMLCanvasElement.prototype.getContext = function (...rest) {
@@ -28,7 +28,7 @@ test('a lost context comes back with the same picture, twice', async () => {
       }))));
     await page.evaluate(() => window.loseContext.loseContext());
     await waitForNotice(page, /context was lost/);
-    await page.keyboard.press('Tab'); // using the page meanwhile does no harm
+    await page.keyboard.press('Tab'); // using the page meanwhile is harmless
     await page.evaluate(() => document.querySelector('#viewer').run('orbitLeft'));
     await page.evaluate(() => document.querySelector('#viewer').run('orbitRight'));
     await page.evaluate(() => window.loseContext.restoreContext());

@@ -1,4 +1,4 @@
-// Files that users hand over: good ones are shown, bad ones are explained and change nothing.
+// Files from users: good ones are shown, bad ones are explained and change nothing.
 
 import assert from 'node:assert/strict';
 import { existsSync, mkdtempSync, openSync, ftruncateSync, closeSync, readFileSync, rmSync } from 'node:fs';
@@ -12,7 +12,7 @@ import { repository } from './support/server.mjs';
 const shared = useBrowser();
 const sample = readFileSync(join(repository, 'assets/pavilion.glb'));
 
-/** A glTF of one triangle whose buffer lies in a file of its own. */
+/** A glTF of one triangle, whose buffer is in a separate file. */
 const triangle = {
   gltf: (uri) => Buffer.from(JSON.stringify({
     asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: [0] }], nodes: [{ mesh: 0 }],
@@ -56,7 +56,7 @@ const wrong = [
   ['cut off', [{ name: 'cut.glb', bytes: sample.subarray(0, 5000) }], /^'cut\.glb' is cut off: its header says/],
   ['noise', [{ name: 'noise.glb', bytes: Buffer.alloc(400, 'x') }], /^'noise\.glb'.*\.$/],
   ['broken Draco data', [{ name: 'broken.glb', bytes: Buffer.from(sample).fill(0xAB, 60000, 61000) }], /^'broken\.glb'.*can't be decoded/],
-  ['a wrong type', [{ name: 'photo.png', bytes: Buffer.from('PNG') }], /^'photo\.png' is no glTF scene: choose a \.glb/],
+  ['a wrong type', [{ name: 'photo.png', bytes: Buffer.from('PNG') }], /^'photo\.png' is not a glTF scene: choose a \.glb/],
   ['an empty file', [{ name: 'empty.glb', bytes: Buffer.alloc(0) }], /^'empty\.glb' is empty\.$/],
   ['two scenes', [{ name: 'a.glb', bytes: sample }, { name: 'b.glb', bytes: sample }], /^There are 2 scenes/],
   ['a count that no memory holds', [{ name: 'count.gltf', bytes: Buffer.from(JSON.stringify({
@@ -87,7 +87,7 @@ test('a huge file is refused before it is read', async () => {
   try {
     const path = join(folder, 'huge.glb');
     const file = openSync(path, 'w');
-    ftruncateSync(file, 6e9); // takes no room on the disk
+    ftruncateSync(file, 6e9); // a sparse file, which takes no space on the disk
     closeSync(file);
     const page = await shared.open();
     const name = await sceneName(page);
@@ -102,7 +102,7 @@ test('a huge file is refused before it is read', async () => {
 
 test('an address that is not there, or not a scene, gets a sentence', async () => {
   for (const [model, pattern] of [
-    ['assets/nothing.glb', /'nothing\.glb' is not there: the server said 404\./],
+    ['assets/nothing.glb', /'nothing\.glb' was not found: the server answered 404\./],
     ['index.html', /^'index\.html'/],
   ]) {
     const page = await shared.open(`/#model=${model}`, { scene: false });

@@ -1,4 +1,4 @@
-// The ground that is laid beneath scenes without a floor: as natively.
+// The ground beneath scenes without a floor, as in the native program.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -10,7 +10,7 @@ import { smallGltf } from './support/scenes.mjs';
 const shared = useBrowser();
 const camera = { from: [5, 6, 8], to: [0, 0.8, 0], fov: 40 };
 
-/** The pillar of the small scene alone. */
+/** Only the pillar of the small scene. */
 function pillar() {
   const gltf = JSON.parse(smallGltf());
   delete gltf.animations;

@@ -1,4 +1,4 @@
-// Images of a scene: what can't be had is left out with a sentence, WebP is the browser's to decode.
+// Images of a scene: a missing one is left out with a sentence, and the browser decodes WebP.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -11,10 +11,10 @@ import { texelsAsPng, texelsAsWebp, texturedGltf } from './support/scenes.mjs';
 const shared = useBrowser();
 const eye = { camera: { from: [5, 6, 8], to: [0, 0.8, 0], fov: 40 }, lights: [[0.5, 1, 0.3, 0]], ambient: 0.4 };
 
-/** A page of nothing but the element, whose picture has the size of the native one. */
+/** A page with only the element, whose picture has the size of the native one. */
 const open = () => shared.open('/tests/plain.html');
 
-/** Shows a scene of these bytes and returns its picture and the sentences about it. */
+/** Shows a scene from these bytes; returns its picture and the sentences about it. */
 async function shown(page, bytes, name) {
   const warnings = await page.evaluate(async ([base64, file, changes]) => {
     const content = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
@@ -38,7 +38,7 @@ test('images come along with a .gltf from an address', async () => {
 
 test('an image that is not there is left out, and a sentence says so', async () => {
   const page = await shared.open('/#model=tests/gone/scene.gltf');
-  await waitForNotice(page, /^'scene\.gltf': images\[0\]: 'gone\.png' is not there: the server said 404; it is left out\.$/);
+  await waitForNotice(page, /^'scene\.gltf': images\[0\]: 'gone\.png' was not found: the server answered 404; it is left out\.$/);
   assert.deepEqual(await noticesOf(page, 'error'), []);
   assert.match(await page.textContent('#scene-name'), /^scene\.gltf: 36 triangles/);
   await shared.check(page, [/404/]);
@@ -57,10 +57,11 @@ test('a WebP is drawn as the PNG of its pixels, and as natively', async () => {
       assert.equal((await compare(page, webp.png, png.png)).different, 0, what);
       const { different, pixels, colors } = await compare(page, webp.png, without.png);
       assert.ok(different > 0.01 * pixels && colors > 50, `${what}: ${different} pixels, ${colors} colours`);
-      if (animated || material.alphaMode === 'BLEND') continue; // blending rounds as each device likes
+      if (animated || material.alphaMode === 'BLEND') continue; // blending rounds differently on
+                                                                // each device
       const native = rendered(await stateOf(page), [], { scene });
       const { astray } = await compare(page, webp.png, native);
-      // Where alpha decides, two rasterisers' filters may disagree along the edges of texels.
+      // Where alpha decides, the filters of two rasterisers may disagree along texel edges.
       const most = material.alphaMode ? 0.002 * pixels : 20;
       assert.ok(astray <= most, `${what}: ${astray} pixels are not as natively`);
     }
@@ -105,7 +106,7 @@ test('pictures that can\'t be decoded are left out, and the scene is shown witho
   const ktx2 = Buffer.from('\xabKTX 20\xbb\r\n\x1a\n\0\0\0\0', 'latin1');
   for (const [bytes, pattern] of [
     [ktx2, /^'bad\.gltf': images\[0\] is KTX2.*'gltf-transform ktxdecompress IN\.glb OUT\.glb'.*left out\.$/],
-    [texelsAsWebp.subarray(0, 40), /^'bad\.gltf': images\[0\]: it is WebP that this browser can't decode; it is left out\.$/],
+    [texelsAsWebp.subarray(0, 40), /^'bad\.gltf': images\[0\]: this browser can't decode its WebP data; it is left out\.$/],
     [texelsAsPng().subarray(0, 60), /^'bad\.gltf': images\[0\] can't be decoded/],
     [Buffer.from('GIF89a'), /^'bad\.gltf': images\[0\] is neither PNG, JPEG nor WebP; it is left out\.$/],
   ]) {

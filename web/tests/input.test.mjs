@@ -8,7 +8,7 @@ const shared = useBrowser();
 const distance = ({ from, to }) => Math.hypot(...from.map((value, i) => value - to[i]));
 const moved = (a, b) => Math.hypot(...a.map((value, i) => value - b[i]));
 
-/** Fingers on paths: [[from, to], …], all at once. */
+/** Moves fingers along paths, [[from, to], …], all at once. */
 async function swipe(page, paths) {
   const session = await page.context().newCDPSession(page);
   const steps = 8;
@@ -68,7 +68,7 @@ test('Tab alone reaches everything, in order, and leaves the picture again', asy
     const seen = new Set();
     return [...document.querySelectorAll('button, input, select, summary, #divider, edgeshade-viewer')]
       .filter((element) => element.offsetParent && !element.disabled && !element.closest('dialog'))
-      // A group of radio buttons is one stop.
+      // A group of radio buttons is a single tab stop.
       .filter((element) => element.type !== 'radio' || element.checked)
       .map((element) => element.id || element.name || element.textContent)
       .filter((name) => !seen.has(name) && seen.add(name));

@@ -1,4 +1,4 @@
-// Lights in the element's attributes, in the address, and in the panel's words.
+// Lights in the element's attributes, in the address, and in the panel's texts.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -54,7 +54,7 @@ test('the address keeps lights by names', () => {
 test('an address with a light that is no JSON says so', () => {
   const { changes, problems } = readHash('#light={position');
   assert.equal(changes.lights, undefined);
-  assert.match(problems[0], /'light' is '\{position', which is no JSON/);
+  assert.match(problems[0], /'light' is '\{position', which is not JSON/);
 });
 
 test('the panel knows both forms', () => {

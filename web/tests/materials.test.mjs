@@ -1,4 +1,4 @@
-// Metal, emission, clear coats and textures in the browser: as natively.
+// Metal, emission, clear coats and textures in the browser, as in the native program.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -15,7 +15,7 @@ const sun = [0.5, 1, 0.3, 0];
 const gloss = (metallicFactor, roughnessFactor) => ({ baseColorFactor: [0.8, 0.5, 0.3, 1], metallicFactor, roughnessFactor });
 const coat = { KHR_materials_clearcoat: { clearcoatFactor: 1, clearcoatRoughnessFactor: 0.1 } };
 
-/** A plastic ground, a metal pillar and a coated stone that glows. */
+/** A scene with a plastic ground, a metal pillar and a coated stone that glows. */
 function sceneOfSorts() {
   const gltf = JSON.parse(smallGltf());
   delete gltf.animations;
@@ -28,7 +28,7 @@ function sceneOfSorts() {
   return Buffer.from(JSON.stringify(gltf));
 }
 
-/** A texture's texels as normals, metal, roughness and light that is given off. */
+/** A texture whose texels serve as normals, metalness, roughness and emission. */
 const textured = () => texturedGltf({ uri: dataUri(texelsAsPng()) }, {
   pbrMetallicRoughness: { metallicRoughnessTexture: { index: 0 } },
   normalTexture: { index: 0, scale: 0.5 },

@@ -1,4 +1,4 @@
-// Loading again and again takes no more memory.
+// Loading repeatedly takes no more memory.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -6,7 +6,9 @@ import { useBrowser } from './support/browser.mjs';
 
 const shared = useBrowser();
 
-/** Keeps hold of the memories of the page's own programs; workers have theirs to themselves. */
+/**
+ * Keeps references to the memories of the page's own programs; those of workers are out of reach.
+ */
 function keepMemories() {
   const { instantiate } = WebAssembly;
   window.memories = [];
@@ -20,7 +22,7 @@ function keepMemories() {
 test('50 loads in a row leave memory flat', async () => {
   const page = await shared.open('/', { size: { width: 120, height: 160 }, init: keepMemories });
   const session = await page.context().newCDPSession(page);
-  /** Bytes of JavaScript's heap and of the page's own WebAssembly memory. */
+  /** Bytes of JavaScript's heap and of the page's WebAssembly memories. */
   const used = async () => {
     await session.send('HeapProfiler.collectGarbage');
     const { usedSize, backingStorageSize } = await session.send('Runtime.getHeapUsage');
@@ -32,7 +34,7 @@ test('50 loads in a row leave memory flat', async () => {
   const loadTimes = (count) => page.evaluate(async (times) => {
     for (let i = 0; i < times; ++i) await document.querySelector('#viewer').load('assets/pavilion.glb');
   }, count);
-  await loadTimes(20); // until the allocator has found room for two scenes at once
+  await loadTimes(20); // until the allocator has room for two scenes at once
   const before = await used();
   await loadTimes(50);
   const after = await used();

@@ -1,4 +1,4 @@
-// The package: what is in it, what it weighs.
+// The package: its contents and its size.
 
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -34,7 +34,7 @@ test('WebAssembly and JavaScript together weigh at most 800 KB, compressed', () 
   assert.ok(total <= 800e3, `${total} bytes`);
 });
 
-/** What npm packs; `text(path)` and `weight(path, …)` are of the files as they are in it. */
+/** The files that npm packs; `text(path)` and `weight(path, …)` read them. */
 const packed = (() => {
   if (skip) return null;
   const folder = mkdtempSync(join(tmpdir(), 'edgeshade-pack-'));

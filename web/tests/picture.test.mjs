@@ -1,4 +1,4 @@
-// What is drawn is what the native program draws.
+// The viewer draws the same picture as the native program.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -8,12 +8,12 @@ import { compare, picture } from './support/pictures.mjs';
 
 const shared = useBrowser();
 
-/** Glass waits for its light to rest, which these views don't. */
+/** Glass takes shadow once its light rests, which these views don't wait for. */
 const look = ['--shading', 'base'];
 
-/** The picture is the native one but for outlines that the two rasterisers, with 4 and 8 bits below
- * a pixel, put next to each other, and slivers whose depth the coarser one loses (docs/robustness.md):
- * at most `most` pixels away from outlines, and `share` of all. */
+/** Requires the native picture, except for outlines, which two rasterisers with 4 and 8 subpixel
+ * bits put into neighbouring pixels, and slivers whose depth the coarser one loses
+ * (docs/robustness.md): at most `most` pixels away from outlines, and a `share` of all. */
 async function requireAlike(page, name, most = 100, share = 0.0035, options = []) {
   const native = rendered(await stateOf(page), options);
   const { pixels, different, astray, colors } = await compare(page, await picture(page), native);
@@ -45,13 +45,13 @@ test('a light with a range, and volumes counted at lower resolutions, are the na
   for (const scale of [1, 2, 4]) {
     await page.evaluate((changes) => document.querySelector('edgeshade-viewer').change(changes),
       { lights, shading: 'base', left: { mask_scale: scale } });
-    // A texel that the rasterisers see otherwise is several pixels.
+    // Where the rasterisers disagree about a texel, several pixels differ.
     await requireAlike(page, `mask scale ${scale}`, 25 * scale * scale, undefined, look);
   }
   await shared.check(page);
 });
 
-/** A context with the least that WebGL 1 promises; what goes beyond it throws. */
+/** Restricts contexts to the least that WebGL 1 promises, and throws on anything more. */
 function leastWebGl() {
   const type = WebGLRenderingContext.prototype;
   const { getParameter, vertexAttribPointer, drawElements } = type;
@@ -79,7 +79,7 @@ test('8 attributes, no instancing and no 32-bit indices give the same picture', 
 
 test('a browser without WebGL, or without a stencil, says so', async () => {
   for (const [init, pattern] of [
-    [() => { HTMLCanvasElement.prototype.getContext = () => null; }, /gives no WebGL/],
+    [() => { HTMLCanvasElement.prototype.getContext = () => null; }, /provides no WebGL/],
     [() => {
       const { getContextAttributes } = WebGLRenderingContext.prototype;
       WebGLRenderingContext.prototype.getContextAttributes = function () {

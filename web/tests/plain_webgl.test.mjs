@@ -1,4 +1,5 @@
-// The example that has nothing but WebGL 1: a page of its own with its own shaders, a light and a ring that move.
+// The example with only WebGL 1: a page with its own shaders, and with a light and a ring that
+// move.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -18,7 +19,8 @@ test('a page of at most 100 lines draws masks into its own picture', async () =>
   const told = await page.evaluate(() => [0, 9000].map((milliseconds) => {
     window.drawAt(milliseconds);
     const gl = document.querySelector('canvas').getContext('webgl');
-    // On the floor, from the top left: in the ring's shadow at first, and at last.
+    // Points on the floor, from the top left: the first in the ring's shadow at the start, the
+    // second at the end.
     return [[150, 250], [500, 350]].map(([x, y]) => {
       const pixel = new Uint8Array(4);
       gl.readPixels(x, 399 - y, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);

@@ -1,4 +1,4 @@
-// Lights at rest are looked up in primitive maps, which a worker builds.
+// Resting lights use primitive maps, which a worker builds.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -55,7 +55,7 @@ function keepWorkers() {
   };
 }
 
-/** No worker but the one that reads scenes. */
+/** Allows no worker except the one that reads scenes. */
 function refuseMapWorkers() {
   window.Worker = class extends window.Worker {
     constructor(address, options) {

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Runs the browser's tests: run.sh PROGRAM, the native edgeshade to compare with. Status 77:
-# skipped, as something that they need isn't there.
+# skipped, because something that they need is missing.
 set -eu
 EDGESHADE_PROGRAM=$1
 export EDGESHADE_PROGRAM

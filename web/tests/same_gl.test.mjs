@@ -1,5 +1,5 @@
-// Drawn by the same GL, browser and native program give the same pictures: what is left between them
-// elsewhere is the rasterisers'.
+// With the same GL, browser and native program draw the same pictures: other tests' differences
+// come from their rasterisers.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -23,11 +23,11 @@ test('on the system\'s own GL hardly a pixel differs', async (context) => {
   await page.waitForFunction(() => document.querySelector('edgeshade-viewer')?.loaded);
   for (const { name, camera, lights } of views) {
     await page.evaluate((changes) => document.querySelector('edgeshade-viewer').change(changes),
-      { camera, lights, shading: 'base' }); // glass waits for its light to rest
+      { camera, lights, shading: 'base' }); // glass takes shadow once its light rests
     const native = rendered(await stateOf(page), ['--shading', 'base'], { filtersExactly: false });
     const { pixels, different } = await compare(page, await picture(page), native);
     console.log(`${name}: ${different} of ${pixels} pixels differ`);
-    // Pixels on outlines of shadows and of surfaces, where the last bits of depth decide.
+    // Pixels on outlines of shadows and surfaces, where the last bits of depth decide.
     assert.ok(different <= 0.0003 * pixels, `${name}: ${different} of ${pixels} pixels differ`);
   }
   await page.evaluate(() => document.querySelector('edgeshade-viewer').change({ lights: [[0, 1, 0, 0]], ground: 'off',

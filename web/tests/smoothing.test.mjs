@@ -1,4 +1,4 @@
-// Antialiasing at rest: the program's --smooth, menu, attribute and address.
+// Antialiasing at rest: the program's --smooth, and the viewer's menu, attribute and address.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -26,7 +26,8 @@ test('the picture at rest is that of --smooth', async () => {
   };
   const [same, hard] = [await share(['--smooth', '16']), await share([])];
   console.log(`${100 * same} % of the pixels differ, without --smooth ${100 * hard} %`);
-  // Other rasterisers' samples along outlines, one of 16 of which is a step of more than 2.
+  // Other rasterisers take other samples along outlines; one sample of 16 makes a step of more than
+  // 2.
   assert.ok(same <= 0.02, `${100 * same} % of the pixels differ`);
   assert.ok(hard > 4 * same && hard > 0.05, `without it ${100 * hard} % do`);
   await change(page, { camera: { fov: state.camera.fov + 0.01 } });

@@ -56,7 +56,7 @@ test('sliders make lights larger, shadows follow, and the address keeps it', asy
   assert.equal(light.angle, 4);
   assert.equal(await page.isVisible('#light-radius'), false);
   await soft(page, 16);
-  await page.waitForFunction(() => document.querySelector('#light-points').textContent === 'Soft shadow of 16 points');
+  await page.waitForFunction(() => document.querySelector('#light-points').textContent === 'Soft shadow: 16 points');
   await page.waitForFunction(() => /light=.*angle.*&light-samples=16/.test(decodeURIComponent(location.hash)));
   await page.click('#light-kind label:last-child');
   await page.waitForSelector('#light-radius', { state: 'visible' });
@@ -80,12 +80,13 @@ test('the picture is hard while something moves, then that of the program', asyn
   const native = rendered({ ...state, lights: [[...sun, 0]] }, ['--sun-angle', '5', '--light-samples', '16']);
   const final = await picture(page);
   const { different, pixels } = await compare(page, final, native);
-  // Along outlines the canvas has several samples a pixel, which take what its middle sees.
+  // Along outlines the canvas has several samples per pixel, which all take the light seen by the
+  // pixel's middle.
   assert.ok(different <= 0.01 * pixels, `${different} of ${pixels} pixels differ`);
   await change(page, { camera: { ...state.camera, fov: state.camera.fov + 0.01 } });
   const { shown, of } = await pointsOf(page);
   assert.equal(of, 16);
-  assert.ok(shown === 0 || shown === 16); // the next frame has not come, or it is hard
+  assert.ok(shown === 0 || shown === 16); // either the next frame hasn't come yet, or it is hard
   await soft(page, 16);
   await shared.check(page);
 });

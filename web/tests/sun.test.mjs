@@ -83,7 +83,8 @@ test('sliders, date and place move it, and the address keeps it', async () => {
   await page.fill('#north', '-30');
   assert.deepEqual((await stateOf(page)).sun,
     { place: [-33.87, 151.21], time: '2024-02-29T09:05+11:00', north: -30 });
-  await page.waitForFunction(() => document.querySelector('#day').max === '366'); // of a leap year
+  await page.waitForFunction(() => document.querySelector('#day').max === '366'); // a leap year has
+                                                                                  // 366 days
   await page.fill('#day', '366');
   assert.equal((await stateOf(page)).sun.time, '2024-12-31T09:05+11:00');
   await page.waitForFunction(() => document.querySelector('#date').value === '2024-12-31');
@@ -115,7 +116,7 @@ test('a day plays, round and round, until it is paused or the sun is moved', asy
   assert.equal(await minutes(), paused);
   await change(page, { sun: { time: '2026-06-21T23:59+02:00' }, day_playing: true });
   await page.waitForFunction(() => document.querySelector('#viewer').state.sun.time < '2026-06-21T12');
-  await page.fill('#azimuth', '90'); // the compass: the light is moved by hand
+  await page.fill('#azimuth', '90'); // the compass: the light is moved manually
   const state = await stateOf(page);
   assert.equal(state.sun, null);
   assert.equal(state.day_playing, false);
@@ -135,7 +136,7 @@ test('keys move it, and who wants less motion is not played a day', async () => 
   await page.keyboard.press('j');
   assert.equal((await stateOf(page)).day_playing, true);
   await page.emulateMedia({ reducedMotion: 'no-preference' });
-  await settled(page); // or neither is noticed
+  await settled(page); // otherwise neither is noticed
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await page.waitForFunction(() => !document.querySelector('#viewer').state.day_playing);
   await shared.check(page);

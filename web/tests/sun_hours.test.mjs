@@ -1,4 +1,5 @@
-// Hours of sun in the viewer: the counts of `edgeshade sunhours`, hover, legend, the address.
+// Hours of sunlight in the viewer: the same counts as `edgeshade sunhours`, hover, legend, the
+// address.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -30,7 +31,7 @@ test('counts are those of the program, and the pointer is told them', async () =
   await page.waitForFunction(() => /^Hours of sun: \d+ of 24 sun positions$/.test(
     document.querySelector('#hours-progress').textContent));
   await complete(page);
-  assert.equal(await page.textContent('#hours-progress'), 'Hours of sun, of 24 positions');
+  assert.equal(await page.textContent('#hours-progress'), 'Hours of sun, from 24 positions');
   assert.equal(await page.textContent('#hours-most'), '12 h');
   const { sun, camera } = await stateOf(page);
   const counts = sunHours({ sun, camera }, 30);
@@ -50,7 +51,8 @@ test('counts are those of the program, and the pointer is told them', async () =
     values.add(here?.lit ?? -1);
     if (here) assert.deepEqual([here.of, here.step], [24, 30]);
   });
-  // Another GL rounds outlines of surfaces and of 24 shadows otherwise; same_gl.test.mjs has the same one.
+  // Another GL rounds the outlines of surfaces and of 24 shadows differently; same_gl.test.mjs
+  // compares with the same GL.
   assert.ok(different <= 0.02 * places.length, `${different} of ${places.length} pixels differ`);
   assert.ok(farApart <= 0.004 * places.length, `${farApart} of ${places.length} pixels differ by more`);
   assert.ok(values.size > 12 && values.has(-1), `only ${values.size} values`);
@@ -122,7 +124,7 @@ test('what moves starts anew, and is the usual picture until all is counted', as
   await complete(page);
   assert.ok((await hoursAt(page, [[260, 260]]))[0]);
   await page.click('#play-day');
-  await page.waitForFunction(() => document.querySelector('#hours-progress').textContent === 'Hours of sun: once nothing moves');
+  await page.waitForFunction(() => document.querySelector('#hours-progress').textContent === 'Hours of sun: shown when nothing moves');
   assert.deepEqual(await hoursAt(page, [[260, 260]]), [null]);
   await page.click('#play-day');
   await page.waitForSelector('#hours-scale', { state: 'visible' });

@@ -1,4 +1,4 @@
-// What is behind the scene follows the theme, and a page's own style.
+// The background follows the theme, and a page's own style.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';

@@ -1,5 +1,5 @@
-// three.js with exact shadows: its shadows are those of `render --mask`, in several releases, whatever comes,
-// goes, moves, bends, or is there many times.
+// three.js with exact shadows: they match `render --mask`, in several releases, when meshes are
+// added, removed, moved, bent or instanced.
 
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
@@ -8,20 +8,20 @@ import { useBrowser } from './support/browser.mjs';
 import { repository } from './support/server.mjs';
 import { compareMasks, nativeMask, openThree, releases, size } from './support/three.mjs';
 
-const shared = useBrowser({ angle: 'gl-egl' }); // the native program's own
+const shared = useBrowser({ angle: 'gl-egl' }); // the native program's GL
 const corner = { from: [5, 4, 6], to: [0, 0.6, 0], fov: 50 };
 const sun = ['--sun', '0.5,1,-0.3'];
-/** What three.js' exporter says of what is exported. */
+/** Messages of three.js's exporter about exported scenes. */
 const exporting = [/GLTFExporter/];
 
-/** What may be wrong of a picture: hardly a pixel, and away from outlines 0.02 % at most. */
+/** Limits on wrong pixels: 0.03 % of all by default, and 0.02 % away from outlines. */
 function assertSame({ surfaces, dark, wrong, beyond }, { most = 0.0003 } = {}) {
   assert.ok(surfaces > 0.2 * size.width * size.height && dark > 200, `${surfaces} pixels of surfaces, ${dark} in shadow`);
   assert.ok(beyond <= 0.0002 * surfaces, `${beyond} of ${surfaces} pixels, beyond outlines`);
   assert.ok(wrong <= most * surfaces, `${wrong} of ${surfaces} pixels`);
 }
 
-/** A page, or null where Chromium can't draw with the GL that the native program draws with. */
+/** A page, or null if Chromium can't draw with the native program's GL. */
 async function opened(context, release) {
   const page = await openThree(shared, release);
   const name = await page.evaluate(() => window.page.rendererName());
@@ -52,13 +52,14 @@ for (const release of releases)
       const mask = nativeMask(join(repository, 'assets/pavilion.glb'), view, light);
       const told = await compareMasks(page, red, mask);
       console.log(release, name, told);
-      assertSame(told, { most: 0.002 }); // of the sun's, who shines along roofs
+      assertSame(told, { most: 0.002 }); // the sun shines along roofs
       await shared.check(page);
     });
 
 /**
- * A yard with a box, which change(world) changes after its first picture, as three.js then draws it against the
- * native mask of what three.js exports. change() is run in the page and may return a camera of its own.
+ * Compares a yard with a box, which change(world) changes after its first picture: three.js's
+ * picture of the change against the native mask of its export. change() runs in the page and may
+ * return its own camera.
  */
 async function changed(context, change, { view = corner, light = sun, most } = {}) {
   const page = await opened(context);

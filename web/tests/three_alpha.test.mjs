@@ -1,4 +1,4 @@
-// Alpha tests of three.js' materials in exact shadows: whatever alpha comes from, and as it changes.
+// Alpha tests of three.js's materials in exact shadows: every source of alpha, and changes of it.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -29,7 +29,7 @@ for (const release of ['three-0.152', 'three'])
       shadows.alphaTestedCast = false;
       await draw('castsNothing');
       shadows.alphaTestedCast = true;
-      sheet.material.opacity = 0.4; // all below 0.5: nothing is seen, but its shadow is there
+      sheet.material.opacity = 0.4; // all below 0.5: nothing is visible, but its shadow is
       await draw('faded');
       sheet.material.opacity = 1;
       await draw('mapAgain');
@@ -81,7 +81,8 @@ test("a spot's radius softens its shadow, and leaves its cone to three.js", asyn
     spot.castShadow = false;
     renderer.render(scene, camera);
     const plain = redOf(renderer);
-    // Sides of the ground that face away aside: three.js lights them no more than the masks do.
+    // Except for sides of the ground that face away: three.js lights them no more than the masks
+    // do.
     return { hard, soft, coneDiffers: plain.reduce((sum, value, i) => sum + (Math.abs(value - unshaded[i]) > 2), 0) };
   });
   console.log(told);

@@ -1,4 +1,4 @@
-// What three.js' own passes, materials and renderers have of exact shadows beside them.
+// three.js's own passes, materials and renderers together with exact shadows.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -7,7 +7,7 @@ import { openThree } from './support/three.mjs';
 
 const shared = useBrowser();
 
-/** Runs `act(page)` in a page with three.js; what it returns. */
+/** Runs `act(page)` in a page with three.js; returns its result. */
 async function inPage(act, { release, allowed = [] } = {}) {
   const page = await openThree(shared, release);
   const told = await page.evaluate((text) => (0, eval)(`(${text})`)(window.page), act.toString());
@@ -15,7 +15,7 @@ async function inPage(act, { release, allowed = [] } = {}) {
   return told;
 }
 
-/** Names of constants that are none of state are asked for, too. */
+/** Warnings caused by querying constants that aren't names of state. */
 const asking = [/invalid parameter name/, /too many errors/];
 
 test('all that a host may have set is as it was, and three.js\' own passes are unharmed', async () => {
@@ -25,7 +25,8 @@ test('all that a host may have set is as it was, and three.js\' own passes are u
     scene.add(fence(world, { alphaMap: pattern(true) }));
     const gl = renderer.getContext();
     const camera = cameraOf({ from: [5, 4, 6], to: [0, 0.6, 0], fov: 50 }, 200 / 120);
-    // A pass of three.js' with blending, stencil, scissor, a sampler that repeats and a target with samples.
+    // A pass of three.js with blending, stencil, scissor, a repeating sampler and a multisampled
+    // target.
     const plain = new three.Scene();
     const texture = new three.DataTexture(new Uint8Array([255, 0, 0, 255, 0, 0, 255, 255]), 2, 1);
     texture.needsUpdate = true;
@@ -45,7 +46,7 @@ test('all that a host may have set is as it was, and three.js\' own passes are u
     const shadows = new ExactShadows(renderer, { keepsState: true }).add(scene);
     await drawn(shadows, scene, camera);
     const plainBefore = drawPlain();
-    // As a host that draws by itself leaves it.
+    // State as left by a host that draws by itself.
     gl.stencilFuncSeparate(gl.BACK, gl.GREATER, 5, 0x0F);
     gl.blendFuncSeparate(gl.ONE, gl.ZERO, gl.DST_COLOR, gl.ONE);
     gl.depthRange(0.25, 0.75);
@@ -106,7 +107,7 @@ test('a material takes shadows as long as it is theirs, and is as it came after 
     const shadows = new ExactShadows(renderer).add(scene);
     await drawn(shadows, scene, camera);
     const inShadow = redAt(renderer, camera, place);
-    renderer.render(scene, camera); // three.js' own pass: no masks in it
+    renderer.render(scene, camera); // three.js's own pass, without masks
     const plain = redAt(renderer, camera, place);
     shadows.dispose();
     renderer.render(scene, camera);
@@ -155,7 +156,8 @@ test('every material that is lit, lights of every kind, several of them', async 
       box.castShadow = false;
       result.boxCastsNone = await both();
       box.castShadow = true;
-      // Two lamps without shadows first, a spot, a second sun from the same side, more than one texture holds.
+      // First two lamps without shadows, a spot, a second sun from the same side: more than one
+      // texture can hold.
       scene.remove(light, light.target);
       const weak = () => Object.assign(lampOf({ kind: 'PointLight', position: [0, 5, 0] })[0], { castShadow: false, intensity: 0.01 });
       const suns = [0, 1, 2].flatMap(() => lampOf({ kind: 'DirectionalLight', position: [0.5, 1, -0.3] }));
@@ -167,7 +169,7 @@ test('every material that is lit, lights of every kind, several of them', async 
       scene.add(weak(), ...suns, spot, aim, weak(), lamp);
       ground.material = new three.MeshStandardMaterial({ color: 0xffffff });
       result.many = await both();
-      // A catcher of shadow shows shadow alone.
+      // A shadow catcher shows only shadow.
       scene.remove(...suns, spot, lamp);
       scene.add(light, light.target);
       ground.material = new three.ShadowMaterial({ color: 0xffffff, opacity: 1 });
@@ -198,7 +200,7 @@ test('render targets, viewports and pixel ratios: shadows are where they are in 
     const pixels = new Uint8Array(4 * 200 * 120);
     renderer.readRenderTargetPixels(target, 0, 0, 200, 120, pixels);
     renderer.setRenderTarget(null);
-    // The target's values are linear: dark or not is what can be compared.
+    // The target's values are linear, so only dark or not can be compared.
     const inTarget = [];
     for (let y = 119; y >= 0; --y) for (let x = 0; x < 200; ++x) inTarget.push(pixels[4 * (y * 200 + x)]);
     renderer.setSize(300, 200);

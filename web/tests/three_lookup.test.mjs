@@ -1,5 +1,5 @@
-// Lights at rest in three.js: looked up instead of masked, by themselves, until something moves; with the shadows of
-// `render --mask`, in several releases.
+// Resting lights in three.js: looked up instead of masked, automatically, until something moves;
+// with the shadows of `render --mask`, in several releases.
 
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
@@ -8,9 +8,9 @@ import { useBrowser } from './support/browser.mjs';
 import { repository } from './support/server.mjs';
 import { compareMasks, nativeMask, openThree, releases, size } from './support/three.mjs';
 
-const shared = useBrowser({ angle: 'gl-egl' }); // the native program's own
+const shared = useBrowser({ angle: 'gl-egl' }); // the native program's GL
 
-/** Runs `act(page, given)` in a page with three.js; what it returns, and the page. */
+/** Runs `act(page, given)` in a page with three.js; returns its result, and the page. */
 async function inPage(context, act, given = {}, release = undefined) {
   const page = await openThree(shared, release);
   const name = await page.evaluate(() => window.page.rendererName());
@@ -69,7 +69,7 @@ for (const release of releases) test(`a light or a caster that moves is masked i
     const { renderer, scene, box, light } = yard(wide);
     whiten(scene);
     const camera = cameraOf(seen, wide.width / wide.height);
-    const places = [[0.3, -0.3], [1.0, -0.3], [1.0, 0.4]]; // of the box, of the light
+    const places = [[0.3, -0.3], [1.0, -0.3], [1.0, 0.4]]; // of the box, then of the light
     const pictures = async (shadows, draw) => {
       const all = [];
       for (const [x, z] of places) {
@@ -106,7 +106,8 @@ test('two lights at rest are looked up, a third one is masked, see-through surfa
     const camera = cameraOf({ from: [5, 4, 6], to: [0, 0.6, 0], fov: 50 }, 200 / 120);
     box.position.y = 2.2;
     light.position.set(0, 1, 0);
-    // A pane below the box, which three.js blends; black below it, so that its own light is seen.
+    // A pane below the box, which three.js blends, with black below it, so that only the pane's own
+    // light shows.
     const pane = new three.Mesh(new three.PlaneGeometry(5, 5), new three.MeshLambertMaterial({ transparent: true, opacity: 0.9 }));
     pane.rotation.x = -Math.PI / 2;
     pane.position.y = 1;
@@ -183,7 +184,10 @@ test('maps of lights come and go with the state of the context as it was', async
         await new Promise((resolve) => { setTimeout(resolve, 30); });
         const after = stateOf(gl);
         for (const name in before) {
-          const gone = name.startsWith('TEXTURE_BINDING') && after[name] === null; // the map of what has moved
+          const gone = name.startsWith('TEXTURE_BINDING') && after[name] === null; // the map of a
+                                                                                   // light or
+                                                                                   // caster that
+                                                                                   // has moved
           if (!gone && `${after[name]}` !== `${before[name]}`) changes.push(`${name}: ${before[name]}, then ${after[name]}`);
         }
       }

@@ -1,5 +1,5 @@
-// Loading 150,000 triangles doesn't hold up the page: edges are found elsewhere, uploading and the first masks
-// come in frames of their own.
+// Loading 150,000 triangles doesn't block the page: a worker finds the edges, and uploading and the
+// first masks have frames of their own.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -16,7 +16,7 @@ test('the shadows of 150,000 triangles come without long tasks', async () => {
     const camera = cameraOf({ from: [5, 4, 6], to: [0, 0.6, 0], fov: 50 }, 320 / 180);
     const knot = new three.TorusKnotGeometry(0.8, 0.3, 1500, 50);
     const shadows = new ExactShadows(renderer).add(scene);
-    await drawn(shadows, scene, camera); // programs are compiled
+    await drawn(shadows, scene, camera); // compiles the programs
     const tasks = [];
     const observer = new PerformanceObserver((list) => tasks.push(...list.getEntries().map(({ duration }) => duration)));
     observer.observe({ entryTypes: ['longtask'] });

@@ -1,5 +1,5 @@
-// The types in edgeshade-viewer.d.ts: they compile, in a strict page's use of them, and they are
-// those of what the element really gives.
+// The types in edgeshade-viewer.d.ts: they compile in a page's strict use of them, and they match
+// the values that the element really returns.
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
@@ -12,7 +12,7 @@ import { repository } from './support/server.mjs';
 const web = join(repository, 'web');
 const compiler = join(web, 'node_modules/typescript/bin/tsc');
 
-/** What tsc says of a file, "" if it has nothing to say. */
+/** tsc's messages about a file, "" if there are none. */
 function complaints(file) {
   const folder = mkdtempSync(join(web, 'node_modules/.types-'));
   try {

@@ -1,4 +1,4 @@
-// Variants of materials: a menu where a scene has some, the address keeps which one is shown.
+// Variants of materials: a menu if a scene has some, and the address keeps the current one.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';

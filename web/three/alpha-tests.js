@@ -1,14 +1,14 @@
-// Alpha-tested materials of three.js, as the mask engine takes them.
+// Alpha-tested materials of three.js in the mask engine's form.
 
 import { sameNumbers } from './mesh-shape.js';
 
 /** Whether alpha decides where a surface is. */
 export const isAlphaTested = (material) => material.alphaTest > 0;
 
-/** Its texture, of which alphaMap has alpha in green; of both this one is taken. */
+/** The texture that holds its alpha: alphaMap, with alpha in green, takes precedence over map. */
 const textureOf = ({ alphaMap, map }) => alphaMap ?? map ?? null;
 
-/** three.js' name of the texture coordinates that it takes. */
+/** three.js's name of that texture's coordinates. */
 export const texcoordsNameOf = (material) => `uv${textureOf(material)?.channel || ''}`;
 
 export const sameAlpha = (a, b) => a.texture === b.texture && a.channel === b.channel && a.opacity === b.opacity &&
@@ -21,7 +21,7 @@ export class AlphaTests {
     this.#renderer = renderer;
   }
 
-  /** What an alpha-tested material has of alpha, as ShadowMasks.setAlpha() takes it. */
+  /** A material's alpha, in the form of ShadowMasks.setAlpha(). */
   of(material) {
     const texture = textureOf(material);
     const alpha = { texture: null, channel: 'alpha', opacity: material.opacity, cutoff: material.alphaTest,
@@ -30,14 +30,15 @@ export class AlphaTests {
     const webGlTexture = this.#uploaded(texture);
     if (texture === material.alphaMap) {
       alpha.channel = 'green';
-      if (!webGlTexture) alpha.opacity = 0; // black, as three.js has what isn't loaded yet
+      if (!webGlTexture) alpha.opacity = 0; // fully transparent: three.js samples black for what
+                                            // isn't loaded yet
     }
     if (!webGlTexture) return alpha;
     if (texture.matrixAutoUpdate) texture.updateMatrix();
     return { ...alpha, texture: webGlTexture, texcoordTransform: [...texture.matrix.elements] };
   }
 
-  /** As three.js has it on the GPU for the picture that is drawn next, or null. */
+  /** The texture on the GPU as three.js uses it for the next picture, or null. */
   #uploaded(texture) {
     const { image, version } = texture;
     const kept = this.#renderer.properties.get(texture);

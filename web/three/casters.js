@@ -1,19 +1,24 @@
-// Keeps the mask engine's meshes as three.js's scene has them.
+// Keeps the mask engine's meshes in step with three.js's scene.
 
 import { BackSide, DoubleSide, Matrix4 } from 'three';
 import { isAlphaTested, sameAlpha, texcoordsNameOf } from './alpha-tests.js';
 import { isPosed, poseOf, sameNumbers, shapeOf, texcoordsOf, versionOf } from './mesh-shape.js';
 
-/** Triangles up to which edges are found at once: in less time than a frame has to spare. */
+/** Up to this many triangles edges are found immediately, well within a frame. */
 const fewTriangles = 500;
 
 const materialsOf = (mesh) => [mesh.material].flat().filter(Boolean);
-/** What masks can show: see-through surfaces, dithered ones too, show what is behind them. */
+/**
+ * Whether masks can show a material: behind see-through and dithered surfaces others are visible.
+ */
 const isShown = (material) => material.visible && !material.alphaHash && (!material.transparent || material.isShadowMaterial);
 
 const place = new Matrix4(), instance = new Matrix4();
 
-/** How the mask engine has a mesh; null: not at all. Of several materials alpha tests count where all have them. */
+/**
+ * How the mask engine treats a mesh; null: not at all. With several materials, alpha tests count if
+ * all of them have one.
+ */
 function roleOf(mesh, alphaTestedCast) {
   const materials = materialsOf(mesh);
   const shown = materials.filter(isShown);
@@ -31,14 +36,14 @@ function roleOf(mesh, alphaTestedCast) {
   };
 }
 
-/** The engine's matrix of a place, or null where it flattens the mesh. */
+/** The engine's matrix for a place, or null if it flattens the mesh. */
 function numbersOf(matrix) {
   const numbers = [...matrix.elements];
   [numbers[3], numbers[7], numbers[11], numbers[15]] = [0, 0, 0, 1];
   return matrix.determinant() === 0 || !numbers.every(Number.isFinite) ? null : numbers;
 }
 
-/** Where a mesh is, more than once if it is instanced. */
+/** The places of a mesh, several if it is instanced. */
 function placesOf(mesh) {
   if (!mesh.isInstancedMesh) return [numbersOf(mesh.matrixWorld)];
   return Array.from({ length: mesh.count }, (_, i) => {
@@ -50,8 +55,9 @@ function placesOf(mesh) {
 export class Casters {
   #masks;
   #alphaTests;
-  #prepared = new Map(); // key: {number or null while it is waited for, users, promise; ahead: to be uploaded}
-  #meshes = new Map();   // three.js's mesh: what the engine has of it
+  #prepared = new Map(); // by key: {number or null while pending, users, promise; ahead: still to
+                         // upload}
+  #meshes = new Map();   // three.js's mesh: the engine's record of it
   #problems = [];
 
   constructor(masks, alphaTests) {
@@ -59,17 +65,17 @@ export class Casters {
     this.#alphaTests = alphaTests;
   }
 
-  /** Meshes whose edges are not found yet, or that are not uploaded. */
+  /** Number of meshes whose edges aren't found yet, or that aren't uploaded. */
   get pending() {
     return [...this.#prepared.values()].filter(({ number, ahead }) => number === null || ahead).length;
   }
 
-  /** Whether a mesh that is followed casts, all of it. */
+  /** Whether a followed mesh casts with all of its triangles. */
   casts(mesh) {
     return this.#meshes.get(mesh)?.casts ?? false;
   }
 
-  /** Resolves when none is waited for any more; throws what went wrong since the last call. */
+  /** Resolves when nothing is pending; throws any error since the last call. */
   async settled() {
     while (this.#waiting.length) await Promise.allSettled(this.#waiting.map(({ promise }) => promise));
     if (this.#problems.length) throw new Error(this.#problems.splice(0).join(' '));
@@ -79,8 +85,9 @@ export class Casters {
     return [...this.#prepared.values()].filter(({ number }) => number === null);
   }
 
-  /** The engine has exactly these, as they are now, but for those whose edges are being found. `alphaTestedCast`:
-   * whether alpha tests leave a mesh its castShadow. */
+  /** Makes the engine have exactly these meshes in their current state, except those whose edges
+   * are still being found. `alphaTestedCast`: whether alpha-tested meshes keep their
+   * castShadow. */
   follow(meshes, alphaTestedCast) {
     const seen = new Set();
     for (const mesh of meshes) {
@@ -93,7 +100,7 @@ export class Casters {
     this.#uploadOne();
   }
 
-  /** A large mesh is uploaded in one frame, and added in the next. */
+  /** Uploads a large mesh in one frame, and adds it in the next. */
   #uploadOne() {
     const entry = [...this.#prepared.values()].find(({ number, ahead }) => ahead && number !== null);
     if (!entry) return;
@@ -101,7 +108,7 @@ export class Casters {
     if (entry.number >= 0) this.#masks.upload(entry.number);
   }
 
-  /** The engine has lost all that was added to it. */
+  /** Called when the engine has lost everything added to it. */
   forget() {
     for (const had of this.#meshes.values()) Object.assign(had, { ids: [], places: [], alphas: [], shown: null });
   }
@@ -123,7 +130,7 @@ export class Casters {
     if (role.tested) this.#setAlpha(role.tested, had);
   }
 
-  /** Of a geometry that some meshes may have in common. */
+  /** Prepares a geometry that several meshes may share. */
   #prepare(mesh, role, key, had) {
     if (had.key === key) return;
     this.#release(had.key);
@@ -144,7 +151,7 @@ export class Casters {
     entry.promise = this.#masks.prepare(shape).then(
       (number) => {
         if (this.#prepared.get(key) === entry) entry.number = number;
-        else this.#masks.release(number); // nobody has it any more
+        else this.#masks.release(number); // nobody uses it any more
       },
       (error) => {
         entry.number = -1;
@@ -161,7 +168,7 @@ export class Casters {
     }
   }
 
-  /** Of a mesh that is bent: at once, so that shadow and picture are of the same pose. */
+  /** Prepares a bent mesh, synchronously, so that shadow and picture have the same pose. */
   #pose(mesh, role, roleKey, had) {
     const pose = poseOf(mesh);
     const version = `${versionOf(mesh, role.texcoords)} ${roleKey}`;
@@ -198,7 +205,7 @@ export class Casters {
     Object.assign(had, { places, shown: number });
   }
 
-  /** Of all places, where it is another than it was. */
+  /** Sets the alpha of all instances, if it has changed. */
   #setAlpha(material, { ids, alphas }) {
     const alpha = this.#alphaTests.of(material);
     for (const [i, id] of ids.entries()) {

@@ -9,29 +9,29 @@ export interface ExactShadowsOptions {
   /** See ExactShadows.alphaTestedCast. Default: true. */
   alphaTestedCast?: boolean;
   /**
-   * All state of the context is kept over the masks, which waits for what is being drawn; without,
-   * renderer.resetState() follows them. Default: false.
+   * Keeps all state of the context across the masks, which waits for pending draws; otherwise
+   * renderer.resetState() is called after them. Default: false.
    */
   keepsState?: boolean;
   /**
-   * Lights that are looked up at once while they and all casters rest, 0 to 2: no mask is drawn of
-   * them, and see-through surfaces take their shadows. Each takes a texture of a material's, and makes
-   * its shader longer. Default: 1.
+   * Most lights that are looked up at once while they and all casters rest, 0 to 2: no mask is
+   * drawn of them, and see-through surfaces take their shadows. Each takes one of a material's
+   * textures, and makes its shader longer. Default: 1.
    */
   lookups?: number;
 }
 
 /**
- * Shadows of what casts (castShadow), on what receives (receiveShadow): standard, physical, Lambert,
- * Phong, toon and shadow materials; of directional, point and spot lights with castShadow. Meshes,
- * instances, skinned and morphed meshes. Until the edges of all meshes are found pictures have no
- * shadows. A light that has rested for half a second, with all casters, is
- * looked up once a worker has built its map, until something moves.
+ * Exact shadows for directional, point and spot lights with castShadow: cast by meshes with
+ * castShadow, and received by meshes with receiveShadow of standard, physical, Lambert, Phong, toon
+ * and shadow materials. Meshes may be instanced, skinned and morphed. Pictures have no shadows
+ * until the edges of all meshes are found. A light that has rested for half a second, with all
+ * casters, is looked up once a worker has built its map, until something moves.
  *
- * What is alpha-tested (alphaTest, with the alpha of map or the green of alphaMap; of both, the
- * latter's) takes shadow where it is, and what is seen through its holes has its own; see
- * alphaTestedCast. See-through surfaces (transparent, alphaHash) cast none, whatever castShadow
- * says, and take that of lights that are looked up.
+ * An alpha-tested surface (alphaTest, with the alpha of map or the green of alphaMap; with both,
+ * alphaMap's) receives shadow where it is solid, and surfaces seen through its holes have their
+ * own; see alphaTestedCast. See-through surfaces (transparent, alphaHash) cast none, whatever
+ * castShadow says, and receive only the shadows of lights that are looked up.
  */
 export class ExactShadows {
   /** `renderer`: with WebGL 2. Turn its own shadowMap off. Throws an Error with a sentence. */
@@ -39,34 +39,37 @@ export class ExactShadows {
 
   lightSamples: number;
   /**
-   * Whether castShadow counts for alpha-tested meshes: then they cast whole triangles, as if they
-   * had no holes, which shadow volumes can't follow. Else they cast nothing.
+   * Whether alpha-tested meshes obey castShadow. They then cast whole triangles, as if they had no
+   * holes, because shadow volumes can't follow these. Otherwise they cast nothing.
    */
   alphaTestedCast: boolean;
 
-  /** Everything below an object takes part from now on, what comes there later too. */
+  /** Includes everything below an object from now on, including later additions. */
   add(object: Object3D): this;
   remove(object: Object3D): this;
-  /** A point light's or spot's radius, scene units; of a sun half its angle, radians. 0: shadows are hard. */
+  /**
+   * A point light's or spot's radius in scene units; for a sun half its angle in radians. 0: hard
+   * shadows.
+   */
   setRadius(light: Light, radius: number): this;
 
-  /** In place of renderer.render(): in the current render target and viewport. */
+  /** Use it in place of renderer.render(); draws into the current render target and viewport. */
   render(scene: Object3D, camera: Camera): void;
-  /** Draws the masks alone, for a render() of your own; whether there are any. */
+  /** Draws only the masks, for your own render(); returns whether there are any. */
   beginMasks(scene: Object3D, camera: Camera): boolean;
-  /** After it: three.js draws without them again. */
+  /** Call it after that: three.js then draws without masks. */
   endMasks(): void;
 
-  /** Resolves once all that the last render() asked for has its shadows. Throws what went wrong. */
+  /** Resolves once everything in the last render() has its shadows. Throws any error. */
   ready(): Promise<void>;
   /**
-   * Of the last masks; `pending`: meshes that are waited for; `lookedUp`: lights that are, of which no
-   * mask was drawn. Null before the first.
+   * Cost of the last masks. `pending`: meshes that are not ready; `lookedUp`: lights that are
+   * looked up, without a mask. Null before the first.
    */
   readonly cost: (MaskCost & { pending: number; lookedUp: number }) | null;
-  /** Why lights that rest are not looked up, where that is known: clauses. */
+  /** Why resting lights are not looked up, if known: clauses. */
   readonly notLookedUp: Map<Light, string>;
 
-  /** Gives back all that it holds; materials are as they came. */
+  /** Frees everything; restores the materials. */
   dispose(): void;
 }

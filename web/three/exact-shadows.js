@@ -10,15 +10,15 @@ import { MaterialPatches } from './material-patch.js';
 import { RestingLights } from './resting-lights.js';
 import { castingLights } from './scene-lights.js';
 
-/** Among MaskTextures, after nearness and masks. */
+/** Index of the first map in MaskTextures, after nearness and masks. */
 const firstMap = 1 + mostLights / 4;
 
-/** What a slot's map is in shaders. */
+/** The uniforms of a slot's map. */
 const slotUniforms = (slot) => Object.fromEntries(Object.entries({
   table: null, tableSize: new Vector3(), begins: new Vector2(), size: 1, kind: 0, mapFromHost: new Matrix4(),
 }).map(([name, value]) => [`${slotName(slot)}_${name}`, { value }]));
 
-/** What the camera sees of the scene, in three.js's order. */
+/** Lights and meshes that the camera sees, in three.js's order. */
 function visibleOf(scene, camera, roots) {
   const lights = [], meshes = [];
   const visit = (object, within) => {
@@ -45,12 +45,12 @@ export class ExactShadows {
   #masks = null;
   #casters = null;
   #resting = null;
-  #lookedUp = 0; // lights, in the last picture
+  #lookedUp = 0; // number of lights in the last picture
   #mostLookedUp;
   #starting;
   #problem = null;
   #lost = false;
-  #complete = false; // all that there was at first had its shadows once
+  #complete = false; // all initial casters have had their shadows
   #disposed = false;
   #roots = new Set();
   #last = null; // {scene, camera} of the last render()
@@ -109,7 +109,7 @@ export class ExactShadows {
       (error) => { this.#problem = error; });
   }
 
-  /** Everything below an object takes part from now on, what comes there later too. */
+  /** Includes everything below an object from now on, including later additions. */
   add(object) {
     this.#roots.add(object);
     return this;
@@ -120,13 +120,16 @@ export class ExactShadows {
     return this;
   }
 
-  /** What a light's shadows are soft by: a point light's or spot's radius; of a sun half its angle. 0: they are hard. */
+  /**
+   * Sets the extent that softens a light's shadows: a point light's or spot's radius; for a sun
+   * half its angle. 0: hard.
+   */
   setRadius(light, radius) {
     this.#radii.set(light, radius);
     return this;
   }
 
-  /** Resolves once all that the last render() asked for has its shadows. Throws what went wrong. */
+  /** Resolves once everything in the last render() has its shadows. Throws any error. */
   async ready() {
     await this.#starting;
     if (this.#problem) throw this.#problem;
@@ -137,19 +140,19 @@ export class ExactShadows {
     }
   }
 
-  /** What the last masks cost, or null. */
+  /** Cost of the last masks, or null. */
   get cost() {
     if (!this.#masks) return null;
     return { ...this.#masks.cost, ...(this.#uniforms.edgeshadeMasked.value ? {} : { drawMs: 0, vertexRuns: 0 }),
       pending: this.#casters.pending, lookedUp: this.#lookedUp };
   }
 
-  /** Why lights that rest are not looked up, by light, where that is known. */
+  /** Why resting lights are not looked up, by light, if known. */
   get notLookedUp() {
     return this.#resting?.whys ?? new Map();
   }
 
-  /** In place of renderer.render(). */
+  /** Use it in place of renderer.render(). */
   render(scene, camera) {
     const renderer = this.#renderer;
     const { shadowMap } = renderer;
@@ -164,19 +167,19 @@ export class ExactShadows {
     }
   }
 
-  /** Draws the masks alone, for a render() of one's own right after it, which ends with endMasks(). Whether there
-   * are any. */
+  /** Draws only the masks, for the host's own render() right after it, which ends with
+   * endMasks(). Returns whether there are any. */
   beginMasks(scene, camera) {
     this.#last = { scene, camera };
     return this.#draw(scene, camera);
   }
 
-  /** From here on three.js draws without them. */
+  /** From here on three.js draws without masks. */
   endMasks() {
     this.#uniforms.edgeshadeViewport.value.set(0, 0, 0, 0);
   }
 
-  /** Gives back all that it holds; materials are as they came. */
+  /** Frees everything; restores the materials. */
   dispose() {
     this.#disposed = true;
     this.#last = null;
@@ -192,7 +195,10 @@ export class ExactShadows {
     this.#masks = null;
   }
 
-  /** Draws the masks of what is to be rendered, of lights that aren't looked up; false: there are no shadows. */
+  /**
+   * Draws the masks of lights that aren't looked up, for the next render; returns false if there
+   * are no shadows.
+   */
   #draw(scene, camera) {
     if (this.#disposed) throw new Error('These ExactShadows were disposed of.');
     if (this.#lost || camera.isArrayCamera || this.#renderer.xr.isPresenting) return false;
@@ -223,23 +229,23 @@ export class ExactShadows {
     return true;
   }
 
-  /** Where not all state is kept three.js sets it anew. */
+  /** Makes three.js set its state again, unless all state is kept. */
   #resetRenderer() {
     if (this.#keepsState) return;
     const renderer = this.#renderer;
     const target = [renderer.getRenderTarget(), renderer.getActiveCubeFace(), renderer.getActiveMipmapLevel()];
-    renderer.resetState(); // forgets the target, too
+    renderer.resetState(); // this forgets the target, too
     renderer.setRenderTarget(...target);
   }
 
-  /** Takes over the scene as it is. Returns the lights that the camera sees. */
+  /** Follows the scene's current state. Returns the lights that the camera sees. */
   #follow({ scene, camera }) {
     if (scene.matrixWorldAutoUpdate !== false) scene.updateMatrixWorld();
     if (camera.parent === null && camera.matrixWorldAutoUpdate !== false) camera.updateMatrixWorld();
     const within = ancestorTakesPart(scene, this.#roots);
     const { lights, meshes } = visibleOf(scene, camera, within ? new Set([scene]) : this.#roots);
     if (!this.#lost) this.#casters?.follow(meshes, this.alphaTestedCast);
-    const receiving = new Map(); // material: whether all that it is on casts
+    const receiving = new Map(); // by material: whether all meshes with it cast
     for (const mesh of meshes) {
       if (!mesh.receiveShadow) continue;
       const casts = this.#casters?.casts(mesh) ?? false;
@@ -249,7 +255,7 @@ export class ExactShadows {
     return lights;
   }
 
-  /** What of the lights is looked up, by light. */
+  /** For each light, the map that it is looked up in, or null. */
   #mapsOf({ lights, sources }) {
     this.#resting.most = this.#patches.slots;
     const maps = this.#resting.follow(lights.map((numbers, i) => ({ light: sources[i], numbers })), this.#casters.pending === 0);

@@ -1,28 +1,29 @@
-// What three.js's fragment shaders ask: how much of a light reaches a fragment, by the masks or its map.
+// GLSL for three.js's fragment shaders: how much of a light reaches a fragment, by the masks or by
+// its map.
 
 import { lookupSource } from '../masks/lookup-source.js';
 
-/** Lights that can be looked up at once: each takes a texture of a material's. */
+/** Most lights that can be looked up at once: each takes one of a material's textures. */
 export const mostSlots = 2;
 
-/** What the names of a slot's map begin with. */
+/** Prefix of the names of a slot's map. */
 export const slotName = (slot) => `edgeshadeMap${slot}`;
 
-/** Which counts three.js writes into shaders: of lights that cast, the first ones of each kind. */
+/** Names of three.js's counts in shaders: of casting lights, which come first within each kind. */
 const counts = { point: 'NUM_POINT_LIGHT_SHADOWS', spot: 'NUM_SPOT_LIGHT_SHADOWS', directional: 'NUM_DIR_LIGHT_SHADOWS' };
 
-/** Where a kind's lights begin among the channels. */
+/** First channel of each kind's lights. */
 const first = { point: '0', spot: counts.point, directional: `${counts.point} + ${counts.spot}` };
 
 const all = Object.values(counts).join(' + ');
 
-/** A loop, as no branch saves software a map that isn't there. */
+/** A loop, since a branch doesn't keep software renderers from sampling a map that isn't there. */
 const askMap = (slot) => /* glsl */`
 	for ( int i = 0; i < edgeshadeMaps[ ${slot} ]; i ++ )
 		edgeshadeLooked[ ${slot} ] = ${slotName(slot)}_litOn( position, towardsEye, normal, error, edgeshadeCasts ) ? 1.0 : 0.0;
 `;
 
-/** Of maps, where a material has room for so many. */
+/** The lookups of maps, for as many slots as a material has room for. */
 const lookups = (slots) => Array.from({ length: slots }, (_, slot) => lookupSource(slotName(slot))).join('\n') + /* glsl */`
 uniform int edgeshadeMaps[ ${mostSlots} ]; // 1: there is one
 uniform bool edgeshadeCasts; // all that the material is on
@@ -36,8 +37,9 @@ void edgeshadeAskMaps( const in highp vec3 position ) {
 }
 `;
 
-/** Ahead of main(). A fragment's own texel is that of the masks' pixel; at outlines, where the masks and the
- * picture may show other surfaces there, the texel around whose nearness is closest to the fragment's own. */
+/** Goes before main(). A fragment normally takes the masks' texel at its pixel. At outlines
+ * masks and picture may show different surfaces; there it takes the surrounding texel whose
+ * nearness is closest to the fragment's own. */
 export const declarations = (slots) => /* glsl */`
 #if ${all} > 0
 ${lookups(slots)}
@@ -108,7 +110,7 @@ void edgeshadeFind( const in highp vec3 position ) {
 #endif
 `;
 
-/** Before lights are added up. */
+/** Goes before the lights are added up. */
 const find = /* glsl */`
 #if ${all} > 0
 	if ( edgeshadeHasMasks() ) edgeshadeFind( - vViewPosition );
@@ -121,11 +123,11 @@ const litBy = (kind) => /* glsl */`
 		#endif
 `;
 
-/** How three.js begins the part of its chunk that each kind of light has. */
+/** The start of each light kind's part in three.js's chunk. */
 const beginnings = { point: 'getPointLightInfo(', spot: 'getSpotLightInfo(', directional: 'getDirectionalLightInfo(' };
 
-/** lights_fragment_begin with masks: before each light is added, it is as bright as its mask says; its own map
- * is asked where there are no masks. */
+/** lights_fragment_begin with masks: scales each light by its mask before adding it; without
+ * masks, three.js's own shadow map is sampled. */
 export function lightsWithMasks(chunk) {
   let text = chunk;
   for (const [kind, begins] of Object.entries(beginnings)) {
@@ -137,7 +139,7 @@ export function lightsWithMasks(chunk) {
   return find + text.replaceAll('directLight.visible && receiveShadow', 'directLight.visible && receiveShadow && ! edgeshadeHasMasks()');
 }
 
-/** What a ShadowMaterial shows, in place of getShadowMask(). */
+/** The value of a ShadowMaterial, in place of getShadowMask(). */
 export const shadowMask = /* glsl */`
 float edgeshadeMask() {
 #if ${all} > 0

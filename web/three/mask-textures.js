@@ -1,4 +1,4 @@
-// The engine's textures as three.js's, which binds them and never writes to them.
+// The engine's textures as three.js textures; three.js binds them and never writes to them.
 
 import { Texture } from 'three';
 
@@ -10,7 +10,7 @@ export class MaskTextures {
     this.#renderer = renderer;
   }
 
-  /** The n-th of them, for a WebGLTexture. */
+  /** The n-th texture, for a WebGLTexture. */
   at(n, webGlTexture) {
     this.#made[n] ??= new Texture();
     const kept = this.#renderer.properties.get(this.#made[n]);
@@ -19,7 +19,7 @@ export class MaskTextures {
     return this.#made[n];
   }
 
-  /** three.js forgets them; they are the engine's to delete. */
+  /** Makes three.js forget them; the engine deletes them. */
   clear() {
     for (const texture of this.#made) if (texture) this.#renderer.properties.remove(texture);
     this.#made.length = 0;

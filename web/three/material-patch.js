@@ -1,4 +1,4 @@
-// Materials that take the masks where they would take shadow maps, as long as they are patched.
+// Patches materials so that they take masks instead of shadow maps.
 
 import { MathUtils, ShaderChunk } from 'three';
 import { declarations, lightsWithMasks, shadowMask } from './lit.glsl.js';
@@ -7,19 +7,24 @@ const lightsBegin = '#include <lights_fragment_begin>';
 const lightsDeclared = '#include <lights_pars_begin>';
 const maskDeclared = '#include <shadowmask_pars_fragment>';
 
-/** Textures beside a material's own: of masks, nearness, surroundings and three.js's own maps. */
+/**
+ * Textures in addition to a material's own: masks, nearness, surroundings and three.js's own maps.
+ */
 const otherTextures = 6;
 
 const isLit = (material) => Boolean(material.isMeshStandardMaterial || material.isMeshLambertMaterial ||
   material.isMeshPhongMaterial || material.isMeshToonMaterial);
 
-/** Whether masks show a material's surfaces: see-through and dithered ones show what is behind them too. */
+/**
+ * Whether masks show a material's surfaces: behind see-through and dithered ones others are
+ * visible.
+ */
 const isMasked = (material) => Boolean(material.isShadowMaterial) || !(material.transparent || material.alphaHash);
 
-/** Whether a material is lit by lights that cast. */
+/** Whether casting lights light a material. */
 export const takesShadow = (material) => Boolean(material.isShadowMaterial) || isLit(material);
 
-/** Maps of lights that its programs have room for. */
+/** Number of lights' maps for which its programs have room. */
 function slotsOf(material, mostTextures, most) {
   const own = Object.values(material).filter((value) => value?.isTexture).length + (material.transmission > 0 ? 1 : 0);
   return Math.min(Math.max(mostTextures - own - otherTextures, 0), most);
@@ -27,7 +32,7 @@ function slotsOf(material, mostTextures, most) {
 
 const vertexPlaced = '#include <project_vertex>';
 
-/** What a ShadowMaterial's stages lack: where a fragment is. */
+/** Adds the fragment's position, which a ShadowMaterial's stages lack. */
 function withPosition(shader) {
   const varying = 'varying vec3 vViewPosition;';
   shader.vertexShader = `${varying}\n${shader.vertexShader.replace(vertexPlaced, (found) => `${found}\n\tvViewPosition = - mvPosition.xyz;`)}`;
@@ -44,27 +49,30 @@ function withShadows(source, material, slots) {
 
 export class MaterialPatches {
   #uniforms;
-  #key = `edgeshade ${MathUtils.generateUUID()}`; // programs keep the uniforms that they were made with
-  #patched = new Map(); // material: what it had
+  #key = `edgeshade ${MathUtils.generateUUID()}`; // programs keep the uniforms they were compiled
+                                                  // with
+  #patched = new Map(); // by material: its original functions
 
   #mostTextures;
   #most;
   #slots;
 
-  /** `uniforms`: of declarations, as three.js has them, shared by all materials; `mostTextures`: of a program;
-   * `most`: maps of lights at once. */
+  /** `uniforms`: for declarations(), in three.js's form, shared by all materials;
+   * `mostTextures`: limit per program; `most`: lights' maps at once. */
   constructor(uniforms, mostTextures, most) {
     this.#uniforms = uniforms;
     this.#mostTextures = mostTextures;
     this.#most = this.#slots = most;
   }
 
-  /** Maps of lights that all that was added has room for. */
+  /** Number of lights' maps for which all added materials have room. */
   get slots() {
     return this.#slots;
   }
 
-  /** A material that was patched stays so. `casts`: all that it is on, as the mask engine has it. */
+  /**
+   * A patched material stays patched. `casts`: whether all meshes with it cast, in the mask engine.
+   */
   add(material, casts) {
     const known = this.#patched.get(material);
     if (known) known.casts.value = casts;
@@ -82,7 +90,7 @@ export class MaterialPatches {
       shader.fragmentShader = withShadows(shader.fragmentShader, this, slots);
       if (this.isShadowMaterial) withPosition(shader);
     };
-    // three.js' own key is the text of onBeforeCompile, which is ours now.
+    // three.js's own key is the text of onBeforeCompile, which is now the patch's.
     const before = own ? null : onBeforeCompile.toString();
     material.customProgramCacheKey = function () {
       return `${key} ${isMasked(this)} ${before ?? customProgramCacheKey.call(this)}`;
@@ -90,7 +98,7 @@ export class MaterialPatches {
     material.needsUpdate = true;
   }
 
-  /** All materials are as they came. */
+  /** Restores all materials. */
   clear() {
     for (const [material, { onBeforeCompile, customProgramCacheKey, own }] of this.#patched) {
       material.onBeforeCompile = onBeforeCompile;

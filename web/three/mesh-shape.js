@@ -1,4 +1,4 @@
-// The triangles of three.js's meshes, as the mask engine takes them.
+// Triangles of three.js's meshes in the mask engine's form.
 
 import { Vector3 } from 'three';
 
@@ -6,10 +6,13 @@ const vertex = new Vector3();
 
 export const sameNumbers = (a, b) => a.length === b.length && a.every((number, i) => number === b[i]);
 
-/** Whether its shape is other than its geometry's: bent by bones or morphed. */
+/** Whether a mesh has another shape than its geometry: skinned or morphed. */
 export const isPosed = (mesh) => Boolean(mesh.isSkinnedMesh || mesh.geometry.morphAttributes.position?.length);
 
-/** Changes when the triangles do, or the texture coordinates of that name, if there is one. */
+/**
+ * A version that changes with the triangles, and with the texture coordinates of that name, if
+ * there is one.
+ */
 export function versionOf({ geometry }, texcoords) {
   const { index, attributes, drawRange } = geometry;
   const { position } = attributes;
@@ -18,7 +21,7 @@ export function versionOf({ geometry }, texcoords) {
     texcoords, dataVersion(attributes[texcoords])].join();
 }
 
-/** Likewise, of what bends it; numbers, to be compared one by one. */
+/** The pose of a bent mesh: numbers, to be compared one by one. */
 export function poseOf(mesh) {
   const numbers = [...(mesh.morphTargetInfluences ?? [])];
   if (!mesh.isSkinnedMesh) return numbers;
@@ -42,7 +45,7 @@ function positionsOf(mesh) {
   return positions;
 }
 
-/** u, v a vertex, of three.js' name for them; none where the geometry has none. */
+/** u, v per vertex, for three.js's name of the coordinates; none if the geometry has none. */
 export function texcoordsOf({ geometry }, name) {
   const attribute = geometry.attributes[name];
   const texcoords = new Float32Array(attribute ? 2 * geometry.attributes.position.count : 0);
@@ -50,7 +53,7 @@ export function texcoordsOf({ geometry }, name) {
   return texcoords;
 }
 
-/** {positions, indices} of what is drawn of a mesh, in its own space. */
+/** {positions, indices} of the drawn part of a mesh, in its own space. */
 export function shapeOf(mesh) {
   const { geometry } = mesh;
   const { index, attributes: { position }, drawRange } = geometry;

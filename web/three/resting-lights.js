@@ -1,31 +1,34 @@
-// Which lights rest, and whose maps are there to be looked up instead of masks.
+// Finds the resting lights, and gets maps that are looked up instead of masks.
 
-/** Milliseconds that a light and all casters have to rest before a worker is asked for its map. */
+/** Milliseconds that a light and all casters must rest before a worker builds its map. */
 const restMilliseconds = 500;
 
-/** Bytes that a frame uploads: some milliseconds. */
+/** Bytes uploaded per frame: some milliseconds. */
 const bytesAFrame = 4 * 2 ** 20;
 
-/** What the shadows of a light depend on, of those that have a map. */
+/** Everything that the shadows of a light with a map depend on. */
 const keyOf = ({ kind, position, direction }) => (kind === 'directional' ? `${direction}` : `${position}`);
 
 export class RestingLights {
   #masks;
   #most;
   #touched;
-  #entries = new Map(); // three.js's light: {key, since, abort, id, problem}
+  #entries = new Map(); // by three.js's light: {key, since, abort, id, problem}
   #casterState = -1;
   #castersSince = 0;
 
-  /** `most`: lights that may be looked up at once. `touched()` is called when the context's state is another. */
+  /**
+   * `most`: lights that may be looked up at once. `touched()` is called when the context's state
+   * has changed.
+   */
   constructor(masks, most, touched) {
     this.#masks = masks;
     this.#most = most;
     this.#touched = touched;
   }
 
-  /** `lights`: {light: three.js's, numbers: MaskLight}, all that cast. `settled`: no meshes are waited for. Returns
-   * for each of them what is to be looked up, and in which slot, or null. */
+  /** `lights`: {light: three.js's, numbers: MaskLight}, all casting ones. `settled`: no meshes
+   * are pending. Returns for each light its map and slot, or null. */
   follow(lights, settled, now = performance.now()) {
     const { casterState } = this.#masks;
     if (casterState !== this.#casterState || !settled) this.#castersSince = now;
@@ -47,7 +50,7 @@ export class RestingLights {
     this.#entries.set(light, { key, since: stays ? entry.since : now, casterState: this.#casterState });
   }
 
-  /** One map after the other, so that drawing keeps a core. */
+  /** Builds one map at a time, so that drawing keeps a core. */
   #beginOne(lights, now) {
     const entries = [...this.#entries.values()];
     if (entries.some(({ abort }) => abort) || entries.filter(({ map, id }) => map || id !== undefined).length >= this.#most) return;
@@ -70,7 +73,7 @@ export class RestingLights {
       else this.#masks.removeLookup(id);
       this.#touched();
     } catch (error) {
-      entry.why = error.message; // masks do
+      entry.why = error.message; // this light falls back to masks
     } finally {
       if (entry.abort === abort) entry.abort = null;
     }
@@ -100,19 +103,19 @@ export class RestingLights {
     this.#touched();
   }
 
-  /** Why lights have none, by light. */
+  /** Why lights have no map, by light. */
   get whys() {
     return new Map([...this.#entries].filter(([, { why }]) => why).map(([light, { why }]) => [light, why]));
   }
 
-  /** At most so many from now on. */
+  /** Lowers the limit on lights looked up at once. */
   set most(most) {
     if (most >= this.#most) return;
     this.#most = most;
     for (const [light, entry] of [...this.#entries]) if (entry.map?.slot >= most) this.#drop(light, entry);
   }
 
-  /** The context is lost, and the maps with it. */
+  /** Called when the context is lost, with all maps. */
   forget() {
     for (const { abort } of this.#entries.values()) abort?.abort();
     this.#entries.clear();

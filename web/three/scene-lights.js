@@ -1,16 +1,19 @@
-// The lights that cast, in the order in which three.js numbers them.
+// The casting lights, in three.js's numbering.
 
 import { Vector3 } from 'three';
 
 const kindOf = (light) => (light.isPointLight && 'point') || (light.isSpotLight && 'spot') ||
   (light.isDirectionalLight && 'directional') || null;
 
-/** As three.js sorts them: those that cast first, and of these those with a map. */
+/** three.js's order: casting lights first, and among them those with a map. */
 const byCasting = (a, b) => (b.castShadow ? 2 : 0) - (a.castShadow ? 2 : 0) + (b.map ? 1 : 0) - (a.map ? 1 : 0);
 
 const at = new Vector3(), target = new Vector3();
 
-/** As the mask engine has them. Cones and ranges are three.js's own to draw: they end within these. */
+/**
+ * A light in the mask engine's form. three.js itself draws the edges of cones and ranges, which lie
+ * within these.
+ */
 function maskLightOf(light, radius) {
   const kind = kindOf(light);
   at.setFromMatrixPosition(light.matrixWorld);
@@ -20,15 +23,15 @@ function maskLightOf(light, radius) {
     made.direction = target.lengthSq() > 0 ? target.toArray() : [0, -1, 0];
   }
   if (kind !== 'directional' && light.distance > 0) made.range = 1.01 * light.distance;
-  // Cones of a spot's points are not its middle's, which is what three.js draws.
+  // The cones of a spot's points differ from that of its middle, which three.js draws.
   if (kind === 'spot') made.outerAngle = radius > 0 ? Math.PI / 2 : Math.min(light.angle + 0.02, Math.PI / 2);
   return made;
 }
 
 /**
- * `lights`: all that the camera sees, in the scene's order; `radiusOf(light)`: of its extent. {lights,
- * intensities, sources}, in the order of their numbers in shaders: points, then spots, then suns; `sources`:
- * three.js's.
+ * `lights`: all that the camera sees, in the scene's order; `radiusOf(light)`: its extent. Returns
+ * {lights, intensities, sources}, in the order of their numbers in shaders: points, then spots,
+ * then suns; `sources`: three.js's lights.
  */
 export function castingLights(lights, radiusOf) {
   const casting = [...lights].sort(byCasting).filter((light) => light.castShadow);

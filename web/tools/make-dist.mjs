@@ -1,5 +1,6 @@
-// Before `npm pack`: makes dist/ of ../build/web, where CMake has put all that is served. Modules are minified one by
-// one, so that bundlers see them as they are, with maps beside them that hold their sources.
+// Runs before `npm pack`: makes dist/ from ../build/web, where CMake has put all files that are
+// served. Modules are minified one by one, so that bundlers still see them as modules, with source
+// maps beside them.
 
 import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -16,7 +17,7 @@ if (!existsSync(`${built}/wasm/edgeshade-masks.wasm`)) fail('There is nothing to
 const { transform } = await import('esbuild').catch(() => fail("esbuild is not installed: 'npm ci' in web/ does that."));
 const settings = { minify: true, format: 'esm', target: 'es2022', legalComments: 'none' };
 
-/** How files get into dist/, by their ends; others don't. */
+/** How files get into dist/, by extension; others are left out. */
 const ways = {
   '.d.ts': (file) => cpSync(`${built}/${file}`, `${dist}/${file}`),
   async '.js'(file) {
@@ -25,11 +26,11 @@ const ways = {
     writeFileSync(`${dist}/${file}`, `${code}//# sourceMappingURL=${file.split('/').at(-1)}.map\n`);
     writeFileSync(`${dist}/${file}.map`, map);
   },
-  // Emscripten's; nobody wrote a source that a map could show.
+  // Emscripten generated it, so there is no source for a source map.
   async '.mjs'(file) {
     writeFileSync(`${dist}/${file}`, (await transform(readFileSync(`${built}/${file}`, 'utf8'), settings)).code);
   },
-  // Not executable, as linkers leave it.
+  // Copied by content, since linkers make the file executable.
   '.wasm': (file) => writeFileSync(`${dist}/${file}`, readFileSync(`${built}/${file}`)),
 };
 

@@ -1,7 +1,7 @@
-// A triangle A < B < C projected by the light onto the near plane: which of its pixels the triangle's
-// volume contains (ZP+, Hornus et al. 2005). The matrix is the picture's own, so that pixels of the
-// near plane are those of the picture. INSTANCED as in sides.vert, else vertices other than the first
-// three are useless.
+// A triangle A < B < C projected by the light onto the near plane, to find the pixels there that
+// the triangle's volume contains (ZP+, Hornus et al. 2005). The matrix is the picture's own, so
+// that pixels of the near plane are those of the picture. INSTANCED as in sides.vert; otherwise
+// only the first three vertices are used.
 #include "record_layout.glsl"
 #include "rivals/published/multiplicity.glsl"
 #include "rivals/planar/projected.glsl"
@@ -9,7 +9,7 @@
 #ifdef INSTANCED
 attribute vec2 a_corner; // x: vertex 0..2
 #endif
-attribute vec4 a_capA; // not instanced: w = v
+attribute vec4 a_capA; // when not instanced: w = v
 attribute vec4 a_capB;
 attribute vec4 a_capC;
 

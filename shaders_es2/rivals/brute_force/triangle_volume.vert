@@ -1,16 +1,16 @@
-// The shadow volume of one triangle A < B < C, no matter what is next to it (Sambeek 2007): its
-// front cap, its three sides, its back cap, all counted by the one sign of that triangle, so that it is
-// closed whatever the sign is (docs/method.md, C3).
+// The shadow volume of one triangle A < B < C, whatever its neighbours (Sambeek 2007): its front
+// cap, its three sides, its back cap, all counted with that triangle's one sign, so that it is
+// closed whatever the sign (docs/method.md, C3).
 //
-// It takes two draws: caps and sides of multiplicity 1, then sides of multiplicity -1, whose stencil
-// operations are swapped. So the side over an edge has the same vertices in the same order whichever
-// triangle it is of, and neighbours' sides cancel in every pixel (C5).
+// Each volume takes two draws: first caps and sides of multiplicity 1, then sides of multiplicity
+// -1, whose stencil operations are swapped. So the side over an edge has the same vertices in the
+// same order for either triangle, and neighbours' sides cancel in every pixel (C5).
 //
-// Vertices v: 0..2 the front cap; 3..8 the first triangles of up to two sides, 9..14 the second ones,
-// which have no area where the light is a direction; 15..17 the back cap, likewise.
+// Vertices v: 0..2 the front cap; 3..8 the first triangles of up to two sides, 9..14 the second
+// ones, which have no area for a directional light; 15..17 the back cap, likewise.
 //
-// Variants: INSTANCED as in sides.vert, else u_vertices says which are drawn; those of
-// cap_corner.glsl.
+// Variants: INSTANCED as in sides.vert, else u_vertices gives the range that is drawn; also those
+// of cap_corner.glsl.
 #include "record_layout.glsl"
 #include "rivals/published/multiplicity.glsl"
 #include "cap_corner.glsl"
@@ -18,19 +18,19 @@
 #ifdef INSTANCED
 attribute vec2 a_corner; // x: v
 #else
-uniform vec2 u_vertices; // the first, and that after the last
+uniform vec2 u_vertices; // the first, and one past the last
 #endif
-attribute vec4 a_capA; // not instanced: w = v
+attribute vec4 a_capA; // when not instanced: w = v
 attribute vec4 a_capB;
 attribute vec4 a_capC;
 
 uniform vec4 u_light;         // in object space
-uniform float u_multiplicity; // 1 or -1: that of the sides which are drawn
+uniform float u_multiplicity; // 1 or -1: the multiplicity of the sides that are drawn
 
 void emitSide(float v, float facing) {
     bool second = v > 5.5;
     float corner = second ? v - 6.0 : v;
-    bool further = corner > 2.5; // the other side
+    bool further = corner > 2.5; // the second of the triangle's sides
     float of = further ? corner - 3.0 : corner;
     // AB and BC have the triangle's sign; the opposite vertex of AC is between its ends.
     bool two = facing == u_multiplicity;
@@ -47,7 +47,7 @@ void emitSide(float v, float facing) {
     v_isBack = 1.0; // solid
 #endif
 #ifdef NEAR_DISCARD
-    v_clipZW = vec2(0.0, 1.0); // what clips it is clipping alone
+    v_clipZW = vec2(0.0, 1.0); // never discarded: only clipping cuts it
 #endif
 }
 

@@ -1,10 +1,10 @@
-// What texels of filtered maps hold in bytes. VSM: the mean distance of what is around and its standard
-// deviation, 16 bits each. That is what two moments say (Donnelly and Lauritzen 2006), but of the
-// second moment itself bytes would keep no more than a deviation of 1/256. MSM: what four say, by two
-// texels, see moments.glsl. ESM: a distance whose exponential is the mean of exponentials (Annen et al.
-// 2008), all 32 bits of it.
+// How the texels of filtered maps encode distances in bytes. VSM: the mean distance around a texel
+// and its standard deviation, 16 bits each. This is the information of two moments (Donnelly and
+// Lauritzen 2006), but the second moment itself, in bytes, would resolve a deviation no finer than
+// 1/256. MSM: four moments in two texels, see moments.glsl. ESM: a distance whose exponential is
+// the mean of exponentials (Annen et al. 2008), in all 32 bits.
 #ifdef ESM
-// The exponent of a distance of 1, the largest whose exponential floats hold.
+// The exponent for a distance of 1: the largest whose exponential a float holds.
 const float sharpness = 80.0;
 #else
 vec2 packHalf(float value) {

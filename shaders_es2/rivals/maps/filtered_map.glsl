@@ -1,16 +1,16 @@
-// How much of the light reaches a place by a filtered map, see filtered_distance.glsl. Bytes are
-// averaged between four texels here, since the GL can't.
+// How much light reaches a place, by a filtered map (filtered_distance.glsl). The shader
+// interpolates between four texels, since the GL can't filter values packed into bytes.
 #include "rivals/maps/filtered_distance.glsl"
 #ifdef MSM
 #include "rivals/maps/moment_shadow.glsl"
 #endif
 
 uniform float u_mapTexels; // along a map's edge
-// Of what may be brighter than shadow this share is taken for other casters' light and left out.
+// Light up to this share is taken to bleed past other casters, and is removed.
 uniform float u_bleeding;
 
 #ifdef VSM
-const float leastDeviation = 2.0 / 65536.0; // rounding makes that much
+const float leastDeviation = 2.0 / 65536.0; // the deviation that rounding causes
 #endif
 
 float withoutBleeding(float lit) { return clamp((lit - u_bleeding) / (1.0 - u_bleeding), 0.0, 1.0); }
@@ -39,7 +39,7 @@ float filteredLight(vec3 at, float own) {
         vec4 texel = faceTexel(face.z, middle);
 #endif
 #ifdef VSM
-        // From the receiver, so that squares keep their digits.
+        // Relative to the receiver, so that squares keep their digits.
         float away = unpackHalf(texel.rg) - own, deviation = unpackHalf(texel.ba);
         mean += weight * away;
         square += weight * (away * away + deviation * deviation);

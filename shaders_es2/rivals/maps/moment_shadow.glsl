@@ -1,7 +1,9 @@
-// The least share of distances with these moments that are before a place (Peters and Klein 2015, the
-// Hamburger moment problem): what weighs there of the three distances, the place being one, that have
-// these moments. In units of the standard deviation from the mean, so that floats hold it.
-const float momentBlur = 1.5 / 65536.0; // added to the standard deviation, as if distances were blurred: rounding
+// Lower bound of the share of distances with these moments that lie before a place (Peters and
+// Klein 2015, the Hamburger moment problem). Of the three distances, one of them the place itself,
+// that have these moments, it adds up the weights of those before the place. Works relative to the
+// mean in units of the standard deviation, so that floats hold the numbers.
+const float momentBlur = 1.5 / 65536.0; // added to the standard deviation, as if distances were
+                                        // blurred, against rounding
 
 float shadowByMoments(Moments of, float own) {
     float blur = momentBlur * momentBlur;
@@ -10,7 +12,7 @@ float shadowByMoments(Moments of, float own) {
     float unit = inversesqrt(second);
     float s = of.third * unit * unit * unit, x = (own - of.mean) * unit;
     float rest = max(fourth * unit * unit * unit * unit - 1.0 - s * s, 1e-4);
-    // The others are roots of a t^2 + b t + c.
+    // The other two are the roots of a t^2 + b t + c.
     float a = x * x - s * x - 1.0;
     a = abs(a) < 1e-5 ? (a < 0.0 ? -1e-5 : 1e-5) : a;
     float b = x * rest - s * a, c = rest - a;

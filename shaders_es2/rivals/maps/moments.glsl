@@ -1,8 +1,8 @@
-// The first four moments of distances around a place: their mean and what moments around it say. Side by
-// side in a texture twice as wide as the map; in the left texel mean and standard deviation, in the right
-// one the skewness s and the kurtosis k, as s / sqrt(1 + s^2), half of it plus a half, and as what k is more
-// than its least, 1 + s^2, by k. 16 bits each: moments themselves, of a share of the map's depth that is
-// small, would have lost their digits.
+// The first four moments of the distances around a place: their mean and the moments around it, 16
+// bits each. They lie side by side in a texture twice as wide as the map: mean and standard
+// deviation in the left texel, skewness s and kurtosis k in the right one. s is stored as 0.5 + 0.5
+// s / sqrt(1 + s^2); k as 1 - (1 + s^2) / k, where 1 + s^2 is the least k possible. Raw moments
+// would lose their digits where they are a small share of the map's depth.
 struct Moments {
     float mean, second, third, fourth; // around the mean
 };
@@ -20,7 +20,7 @@ Moments unpackMoments(vec4 left, vec4 right) {
     return of;
 }
 
-// Left texel or right one.
+// The left texel (part 0) or the right one (part 1).
 vec4 packMoments(Moments of, float part) {
     if (part < 0.5) return vec4(packHalf(of.mean), packHalf(sqrt(of.second)));
     float unit = 1.0 / max(of.second, 1e-12);
@@ -30,7 +30,7 @@ vec4 packMoments(Moments of, float part) {
                 packHalf(1.0 - least / max(kurtosis, least)));
 }
 
-// Sums of weight times moments around `from`; weights add up to 1.
+// Sums of weights times moments around `from`; the weights add up to 1.
 struct MomentSum {
     float from;
     vec4 sum;

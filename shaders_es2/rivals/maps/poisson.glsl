@@ -1,7 +1,7 @@
-// Sixteen taps in a disc PCF texels wide, no two nearer to each other than 0.42 of its radius (found by
-// throwing darts), turned by another angle in every pixel.
+// Sixteen taps in a disc PCF texels wide, no two nearer to each other than 0.42 of its radius
+// (found by throwing darts), rotated by a different angle in every pixel.
 float poissonLit(Receiver r, vec3 axisS, vec3 axisT) {
-    // Roberts' sequence, over pixels: neighbours get angles far apart.
+    // Roberts' sequence over pixels gives neighbours angles far apart.
     float angle = 6.2831853 * fract(dot(gl_FragCoord.xy, vec2(0.7548776662, 0.5698402910)));
     vec2 turn = 0.5 * float(PCF) * vec2(cos(angle), sin(angle));
     vec3 s = turn.x * axisS + turn.y * axisT, t = turn.x * axisT - turn.y * axisS;

@@ -1,6 +1,6 @@
-// One direction of a separable filter over a shadow map's texels, PCF of them, the middle one's weight
-// the largest. VSM, ESM or MSM: what is written, see filtered_distance.glsl; DISTANCES: of VSM and MSM,
-// what is read are distances still.
+// One direction of a separable filter over PCF texels of a shadow map, with the largest weight in
+// the middle. VSM, ESM or MSM: the format written, see filtered_distance.glsl; DISTANCES: for VSM
+// and MSM, the texels read are still distances.
 #ifdef GL_FRAGMENT_PRECISION_HIGH
 precision highp float;
 #else
@@ -13,9 +13,9 @@ uniform mediump sampler2D u_from;
 uniform vec2 u_texel;  // 1 / texels
 uniform vec2 u_along;  // from texel to texel
 #ifdef MSM
-uniform float u_half; // which of the two texels is written
+uniform float u_half; // selects which of the two texels is written
 
-// Of a texture two maps wide.
+// Reads from a texture two maps wide.
 Moments read(vec2 at) {
     vec2 left = clamp(at, 0.5 * u_texel, 1.0 - 0.5 * u_texel) * vec2(0.5, 1.0);
 #ifdef DISTANCES
@@ -25,7 +25,7 @@ Moments read(vec2 at) {
 #endif
 }
 #elif defined(VSM)
-// Mean and standard deviation.
+// Returns mean and standard deviation.
 vec2 read(vec2 at) {
     vec4 texel = texture2D(u_from, at);
 #ifdef DISTANCES
@@ -40,7 +40,7 @@ float read(vec2 at) { return unpackDistance(texture2D(u_from, at)); }
 
 const float reach = 0.5 * float(PCF - 1);
 
-// Of a texel so many aside; all add up to 1.
+// Weight of a texel at this offset; the weights add up to 1.
 float weightOf(float aside) { return (1.0 - abs(aside) / (reach + 1.0)) / (reach + 1.0); }
 
 void main() {
@@ -49,7 +49,7 @@ void main() {
     middle.x -= u_half;
     MomentSum sum = MomentSum(read(middle).mean, vec4(0.0));
 #elif defined(VSM)
-    // From the middle texel, so that squares keep their digits.
+    // Relative to the middle texel, so that squares keep their digits.
     float from = read(middle).x, mean = 0.0, square = 0.0;
 #else
     float from = read(middle), sum = 0.0;

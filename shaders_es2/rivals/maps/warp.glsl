@@ -1,15 +1,15 @@
-// Where a warped map's texels are: see MapWarp. A lattice of MAP_WARPED cells along an edge, each of two
-// triangles, has its nodes moved.
+// Places texels of a warped map (MapWarp): the nodes of a lattice of MAP_WARPED by MAP_WARPED
+// cells, each of two triangles, are moved.
 uniform mediump sampler2D u_warp; // nodes: x and y, two bytes each
-uniform vec4 u_warpInner; // of the inner cells the low corner and one over their size
-uniform vec4 u_warpOuter; // cells per length below them, and above
-uniform float u_mapShare; // what of the texture's width is within the frame
+uniform vec4 u_warpInner; // low corner of the inner cells, and one over their size
+uniform vec4 u_warpOuter; // cells per length below the inner cells, and above
+uniform float u_mapShare; // share of the texture's width within the frame
 
-// The part of the warp that is being looked up, as if it went on alike: filters' taps are whole texels
-// apart then, and one lookup of nodes does for all of them.
-vec2 warpFrom;     // a place in it
-vec2 warpTo;       // where that is in the texture
-vec2 warpX, warpY; // what the texture's coordinates gain per length
+// The piece of the warp in use, as if it continued alike. So filters' taps are whole texels apart,
+// and one lookup of nodes serves them all.
+vec2 warpFrom;     // a place in the map
+vec2 warpTo;       // that place in the texture
+vec2 warpX, warpY; // change of texture coordinates per length
 
 vec2 warpNode(vec2 index) {
     vec4 bytes = floor(texture2D(u_warp, (index + 0.5) / float(MAP_WARPED + 1)) * 255.0 + 0.5);
@@ -30,7 +30,7 @@ void useWarp(vec2 at) {
     vec2 alongX = lower ? other - first : last - other, alongY = lower ? last - other : other - first;
     warpFrom = at;
     warpTo = first + within.x * alongX + within.y * alongY;
-    // Cells per length, which outermost ones have of their own.
+    // Cells per length; outermost cells have their own.
     vec2 outermost = step(0.5 * float(MAP_WARPED) - 1.25, abs(cell - 0.5 * float(MAP_WARPED - 1)));
     vec2 perLength = mix(u_warpInner.zw * float(MAP_WARPED - 2),
                          mix(u_warpOuter.zw, u_warpOuter.xy, step(cell, vec2(0.5))), outermost);
@@ -43,7 +43,7 @@ vec2 warped(vec2 at) {
     return warpTo + aside.x * warpX + aside.y * warpY;
 }
 
-// From a texel to its neighbours, in map space: what the warp there undoes.
+// From a texel to its neighbours, in map space: the inverse of the warp there.
 void warpAxes(float texel, out vec3 axisS, out vec3 axisT) {
     float scale = texel / max(warpX.x * warpY.y - warpX.y * warpY.x, 1e-12);
     axisS = vec3(warpY.y * scale, -warpX.y * scale, 0.0);

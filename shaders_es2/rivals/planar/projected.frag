@@ -1,6 +1,6 @@
-// What of a caster is between the light and the plane that it is projected onto. Writes the stencil
-// alone. CLIPPED: some of it isn't there; ALPHA_TEST, alpha-tested materials; TINT and UNIFORM_TINT as in
-// sides.frag.
+// The part of a caster that is between the light and the plane that it is projected onto. Writes
+// only the stencil. CLIPPED: some of the caster isn't there; ALPHA_TEST: alpha-tested materials;
+// TINT and UNIFORM_TINT as in sides.frag.
 #ifdef GL_FRAGMENT_PRECISION_HIGH
 precision highp float;
 #else

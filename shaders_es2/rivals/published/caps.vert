@@ -1,4 +1,4 @@
-// Caps of the shadow volumes: one record a triangle A < B < C, front cap then back cap
+// Caps of the shadow volumes: one record per triangle A < B < C, front cap then back cap
 // (docs/method.md, Records and caps, as published; thesis, Algorithm 11).
 //
 // Variants: INSTANCED as in sides.vert; those of cap_corner.glsl; PROBE, for tests.
@@ -9,7 +9,7 @@
 #ifdef INSTANCED
 attribute vec2 a_corner; // x: vertex v of the pair of caps, 0..5
 #endif
-attribute vec4 a_capA; // not instanced: w = v
+attribute vec4 a_capA; // when not instanced: w = v
 attribute vec4 a_capB;
 attribute vec4 a_capC;
 

@@ -1,11 +1,12 @@
 // Signs and multiplicities: docs/method.md, Terms. Written in the common part of GLSL ES 1.00 and
 // C++ with GLM, so that the tests run these very lines on the CPU.
 //
-// CONTACT: the light touches casters, and is taken to be in planes no farther than u_reach (C47).
+// CONTACT: the light touches casters, and counts as lying in planes no farther away than u_reach
+// (C47).
 //
 // One evaluation order everywhere: dot and cross products are spelled out, since the built-in ones
-// may be summed in any order. MULTIPLICITY_THREE_EDGE and MULTIPLICITY_SINGLE_EDGE choose the
-// older methods; without them the reference edge decides.
+// may be summed in any order. MULTIPLICITY_THREE_EDGE and MULTIPLICITY_SINGLE_EDGE choose the older
+// methods; without them the reference edge decides.
 
 float orderedDot(vec3 x, vec3 y) { return x.x * y.x + x.y * y.y + x.z * y.z; }
 
@@ -13,7 +14,7 @@ vec3 orderedCross(vec3 x, vec3 y) {
     return vec3(x.y * y.z - x.z * y.y, x.z * y.x - x.x * y.z, x.x * y.y - x.y * y.x);
 }
 
-// From p to the light; for a directional light (w = 0) the direction towards it.
+// From p to the light; for a directional light (w = 0) its direction.
 vec3 towardsLight(vec3 p, vec4 light) {
     return vec3(light.x - p.x * light.w, light.y - p.y * light.w, light.z - p.z * light.w);
 }
@@ -22,8 +23,8 @@ vec3 towardsLight(vec3 p, vec4 light) {
 uniform float u_reach;
 #endif
 
-// On which side of the light plane (the plane through the edge a-b and the light) p lies:
-// -1, 0 or 1. Equals the facing of the triangle (a, p, b).
+// The side of the light plane (the plane through the edge a-b and the light) on which p lies: -1, 0
+// or 1. Equals the facing of the triangle (a, p, b).
 float lightPlaneSide(vec3 a, vec3 b, vec3 p, vec4 light) {
     float side = orderedDot(orderedCross(b - a, towardsLight(a, light)), p - a);
 #ifdef CONTACT
@@ -51,11 +52,11 @@ float triangleSign(vec3 a, vec3 b, vec3 c, vec4 light) {
 #endif
 }
 
-// What one opposite vertex adds to the multiplicity of the edge a < b. opposite.w: ORDER_*.
+// Multiplicity that one opposite vertex adds to the edge a < b. opposite.w: ORDER_*.
 float oppositeMultiplicity(vec3 a, vec3 b, vec4 opposite, vec4 light) {
     vec3 o = vec3(opposite.x, opposite.y, opposite.z);
 #if defined(MULTIPLICITY_SINGLE_EDGE)
-    // Kim 2008: every edge asks its own light plane, which is why triangles come apart.
+    // Kim 2008: every edge tests against its own light plane, which is why triangles come apart.
     float facing = -lightPlaneSide(a, b, o, light);
 #else
     bool first = opposite.w == ORDER_OPPOSITE_FIRST;

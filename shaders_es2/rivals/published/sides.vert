@@ -1,11 +1,11 @@
-// Sides of the shadow volumes: one record an edge (docs/method.md, Records and caps, as published;
+// Sides of the shadow volumes: one record per edge (docs/method.md, Records and caps, as published;
 // thesis, Algorithm 10).
 //
-// Variants: MAX_MULTIPLICITY 1..5, opposite vertices a record; INSTANCED, records come once an
-// instance and the corner from its own attribute, else from spare components; SIDE_IS_UNIFORM (with
-// INSTANCED), one draw a side; PROBE, for tests: the record's multiplicity as a coloured point
-// instead of its sides; DEGENERATE, for measuring: all is computed, and every vertex ends up at
-// (0,0,0,0).
+// Variants: MAX_MULTIPLICITY 1..5, opposite vertices per record; INSTANCED, one record per
+// instance, with the corner in its own attribute, else in spare components; SIDE_IS_UNIFORM (with
+// INSTANCED), one draw per side; PROBE, for tests: the record's multiplicity as a coloured point
+// instead of its sides; DEGENERATE, for measuring: everything is computed, and every vertex ends up
+// at (0,0,0,0).
 #include "record_layout.glsl"
 #include "rivals/published/multiplicity.glsl"
 #include "extrusion.glsl"
@@ -13,8 +13,8 @@
 #ifdef INSTANCED
 attribute vec2 a_corner; // x: vertex v of the side, 0..5; y: index s of the side
 #endif
-attribute vec4 a_edgeA; // not instanced: w = v
-attribute vec4 a_edgeB; // not instanced: w = s
+attribute vec4 a_edgeA; // when not instanced: w = v
+attribute vec4 a_edgeB; // when not instanced: w = s
 attribute vec4 a_opposite0;
 #if MAX_MULTIPLICITY > 1
 attribute vec4 a_opposite1;
@@ -35,7 +35,7 @@ uniform mat4 u_clipFromObject;
 uniform float u_side;
 #endif
 #ifdef DEGENERATE
-uniform float u_degenerate; // never set, so 0; no compiler knows
+uniform float u_degenerate; // never set, so 0, which no compiler knows
 #endif
 
 invariant gl_Position;
@@ -81,7 +81,7 @@ void main() {
     float id = multiplicity > 0.0 ? (v > 2.5 ? v - 2.0 : 2.0 - v) : (v > 2.5 ? 6.0 - v : v);
     vec3 end = id == 0.0 || id == 2.0 ? a_edgeA.xyz : a_edgeB.xyz;
     vec4 corner = id > 1.5 ? toInfinity(end, u_light) : vec4(end, 1.0);
-    // A useless vertex makes its triangle a point, which covers no pixel.
+    // An unused vertex makes its triangle a point, which covers no pixel.
     gl_Position = side < abs(multiplicity) ? rasterizable(u_clipFromObject, clipPosition(u_clipFromObject, corner))
                                            : vec4(0.0);
 #ifdef DEGENERATE

@@ -1,4 +1,4 @@
-// draw OUT.ppm: the picture in a context of its own, without a window.
+// draw OUT.ppm: draws the picture in its own context, without a window.
 #include "picture.hpp"
 
 #include <EGL/egl.h>

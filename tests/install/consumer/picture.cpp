@@ -44,7 +44,7 @@ GLuint makeProgram() {
     return program;
 }
 
-/// From (4, 5, 6) towards (0, 0.5, 0), 45 degrees high.
+/// From (4, 5, 6) towards (0, 0.5, 0), with a vertical field of view of 45 degrees.
 edgeshade::MaskView view() {
     const double from[] = {4, 5, 6}, to[] = {0, 0.5, 0};
     double z[3], x[3], y[3];

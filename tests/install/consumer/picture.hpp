@@ -1,13 +1,13 @@
-// A box over a floor, in the shadow that edgeshade's mask says: in shadow 51 of 255, lit 204,
-// behind everything blue.
+// A box over a floor, shaded by edgeshade's mask: 51 of 255 in shadow, 204 where lit, blue where
+// there is nothing.
 #pragma once
 #include <edgeshade/shadow_masks.hpp>
 
 constexpr int pictureWidth = 320, pictureHeight = 240;
 
-/// By a shader of its own into what is bound in the context that is current. Throws what edgeshade
-/// throws.
+/// Draws it with its own shader into the bound framebuffer of the current context. Throws
+/// edgeshade's errors.
 void drawPicture(edgeshade::ShadowMasks::LookUp lookUp);
 
-/// Reads it back, into a PPM.
+/// Reads the picture back into a PPM.
 void writePicture(const char* path);

@@ -1,4 +1,4 @@
-// window OUT.ppm: the picture in a window of GLFW's.
+// window OUT.ppm: draws the picture in a GLFW window.
 #include "picture.hpp"
 
 #define GLFW_INCLUDE_NONE

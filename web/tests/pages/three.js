@@ -1,4 +1,4 @@
-// What the tests of the three.js adapter ask of a page: scenes, and pictures as bytes.
+// Tools for tests of the three.js adapter in a page: scenes, and pictures as bytes.
 
 import * as three from 'three';
 import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
@@ -6,7 +6,7 @@ import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { ExactShadows } from 'edgeshade/three';
 
-/** A renderer on a canvas of its own in the page. */
+/** A renderer with its own canvas in the page. */
 function rendererOf({ width = 480, height = 270, antialias = false, pixelRatio = 1, clear = 0x000000 } = {}) {
   const renderer = new three.WebGLRenderer({ antialias, preserveDrawingBuffer: true });
   renderer.setPixelRatio(pixelRatio);
@@ -28,7 +28,7 @@ async function loaded(address) {
   return scene;
 }
 
-/** Every mesh of white that only light and shadow show: what reaches it, whatever its slope. */
+/** Makes every mesh white, so that it shows only light and shadow, whatever its slope. */
 function whiten(scene) {
   const made = new Map();
   scene.traverse((object) => {
@@ -53,7 +53,7 @@ function cameraOf({ from, to, fov }, aspect) {
   return camera;
 }
 
-/** A light as bright as white surfaces show it, wherever they are, and what it shines at. */
+/** A light that shows white surfaces as white, wherever they are, and its target. */
 function lampOf({ kind, position }) {
   const light = kind === 'DirectionalLight' ? new three.DirectionalLight(0xffffff, Math.PI)
     : new three[kind](0xffffff, Math.PI, 0, ...(kind === 'SpotLight' ? [0.5, 0, 0] : [0]));
@@ -62,7 +62,7 @@ function lampOf({ kind, position }) {
   return light.target ? [light, light.target] : [light];
 }
 
-/** Draws until all shadows are there. */
+/** Draws until all shadows are ready. */
 async function drawn(shadows, scene, camera) {
   shadows.render(scene, camera);
   await shadows.ready();
@@ -71,17 +71,21 @@ async function drawn(shadows, scene, camera) {
 
 const frame = () => new Promise((resolve) => { requestAnimationFrame(resolve); });
 
-/** Draws frames until so many lights are looked up, for half a minute at the most; returns how many there are. */
+/**
+ * Draws frames until this many lights are looked up, for at most half a minute; returns their
+ * number.
+ */
 async function rested(shadows, scene, camera, lights = 1) {
   await drawn(shadows, scene, camera);
   for (const since = performance.now(); shadows.cost.lookedUp !== lights && performance.now() - since < 30000;) {
-    await new Promise((resolve) => { setTimeout(resolve, 150); }); // or drawing takes what building needs
+    await new Promise((resolve) => { setTimeout(resolve, 150); }); // otherwise drawing takes the
+                                                                   // time that building needs
     shadows.render(scene, camera);
   }
   return shadows.cost.lookedUp;
 }
 
-/** The canvas' rows from the top, one byte a pixel: its red. */
+/** The red bytes of the canvas, one per pixel, rows from the top. */
 function redOf(renderer) {
   const gl = renderer.getContext();
   const { drawingBufferWidth: width, drawingBufferHeight: height } = gl;
@@ -98,7 +102,7 @@ const base64Of = (bytes) => {
   return btoa(text);
 };
 
-/** A ground, a box above it and a sun: what tests change. */
+/** A ground, a box above it and a sun, for tests to change. */
 function yard(size) {
   const renderer = rendererOf(size);
   const scene = new three.Scene();
@@ -117,13 +121,17 @@ function yard(size) {
   return { three, renderer, scene, ground, box, light, material, mesh };
 }
 
-/** 8 x 8 white texels of which some have no alpha or, where it is asked for, no green; looked up turned and shifted. */
+/**
+ * 8 x 8 white texels, some without alpha or, if requested, without green; sampled with rotation and
+ * offset.
+ */
 function pattern(inGreen = false) {
   const texels = new Uint8Array(4 * 64).fill(255);
   for (let i = 0; i < 64; ++i) if ((i % 8 + (i >> 3)) % 3 === 0) texels[4 * i + (inGreen ? 1 : 3)] = 0;
   const texture = new three.DataTexture(texels, 8, 8);
   texture.wrapS = texture.wrapT = three.RepeatWrapping;
-  texture.repeat.set(2, 2); // as glTF has turns, too, the same both ways
+  texture.repeat.set(2, 2); // equal in both directions, where glTF's rotation agrees with
+                            // three.js's
   texture.offset.set(0.1, 0.2);
   texture.rotation = 0.3;
   texture.needsUpdate = true;
@@ -139,7 +147,10 @@ function fence({ mesh }, settings = {}) {
   return made;
 }
 
-/** Draws, changes, and draws again: {red, glb}, the latter as three.js exports what is seen. */
+/**
+ * Draws, changes the scene, and draws again; returns {red, glb}, the latter three.js's export of
+ * the visible scene.
+ */
 async function changedPicture(world, view, change) {
   const { renderer, scene } = world;
   const { width, height } = renderer.domElement;
@@ -160,10 +171,10 @@ async function changedPicture(world, view, change) {
   return { red, glb: base64Of(new Uint8Array(glb)) };
 }
 
-/** A number that stands for values. */
+/** A number that identifies values. */
 const hash = (values) => values.reduce((sum, value) => (Math.imul(sum, 31) + value) | 0, 7);
 
-/** Red where a point of the world is seen. */
+/** Red at the pixel that shows a point of the world. */
 function redAt(renderer, camera, point) {
   const gl = renderer.getContext();
   const at = new three.Vector3(...point).project(camera);
@@ -176,7 +187,7 @@ function redAt(renderer, camera, point) {
 const names = new WeakMap();
 let nextName = 1;
 
-/** Objects as numbers, so that they can be compared outside. */
+/** Replaces objects by numbers, so that results can be compared outside the page. */
 function plainOf(value) {
   if (value === null || typeof value !== 'object') return value;
   if (ArrayBuffer.isView(value) || Array.isArray(value)) return [...value];
@@ -184,7 +195,7 @@ function plainOf(value) {
   return names.get(value);
 }
 
-/** All that getParameter() knows of state, by name; of every unit what is bound. */
+/** All state that getParameter() can read, by name, and the bindings of every texture unit. */
 function stateOf(gl) {
   const state = {};
   const skipped = /^(MAX_|ALIASED_|COMPRESSED_|DEPTH_BITS|STENCIL_BITS|RED_BITS|GREEN_BITS|BLUE_BITS|ALPHA_BITS|SUBPIXEL|VENDOR|RENDERER$|VERSION|SHADING|SAMPLES$|SAMPLE_BUFFERS|IMPLEMENTATION)/;
@@ -217,7 +228,7 @@ function attributesOf(gl) {
   return state;
 }
 
-/** What WebGL draws with. */
+/** Name of the device that WebGL draws with. */
 function rendererName() {
   const gl = document.createElement('canvas').getContext('webgl2');
   return gl?.getParameter(gl.getExtension('WEBGL_debug_renderer_info')?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER) ?? '';

@@ -1,4 +1,4 @@
-// One Chromium and one server for the tests of a file, a fresh page for each test.
+// One Chromium and one server for all tests of a file, and a new page for each test.
 
 import assert from 'node:assert/strict';
 import { after, before } from 'node:test';
@@ -8,7 +8,7 @@ import { serve } from './server.mjs';
 /** The page with a scene of 36 triangles. */
 export const smallPage = '/#model=tests/small.gltf';
 
-/** Software draws several times as fast without. */
+/** Software rendering is several times as fast without antialiasing. */
 function withoutAntialiasing() {
   const { getContext } = HTMLCanvasElement.prototype;
   HTMLCanvasElement.prototype.getContext = function (type, options) {
@@ -17,8 +17,9 @@ function withoutAntialiasing() {
 }
 
 /**
- * Call at the top of a test file; `angle` as in chromium.mjs, `roots` as in server.mjs. open(path, options)
- * gives a page that has loaded its scene; check(page) fails if anything was reported to its console.
+ * Call it at the top of a test file; `angle` as in chromium.mjs, `roots` as in server.mjs.
+ * open(path, options) returns a page that has loaded its scene; check(page) fails if anything was
+ * reported to its console.
  */
 export function useBrowser({ angle, roots } = {}) {
   const shared = {};
@@ -54,7 +55,7 @@ export function useBrowser({ angle, roots } = {}) {
   return shared;
 }
 
-/** Waits until a scene is shown and nothing is being loaded. */
+/** Waits until a scene is shown and nothing is loading. */
 export async function loaded(page) {
   await page.waitForFunction(() => {
     const viewer = document.querySelector('edgeshade-viewer');
@@ -63,7 +64,7 @@ export async function loaded(page) {
   await settled(page);
 }
 
-/** Waits until what was asked for is drawn. */
+/** Waits until requested frames have been drawn. */
 export const settled = (page) => page.evaluate(() => new Promise((resolve) =>
   requestAnimationFrame(() => requestAnimationFrame(() => resolve()))));
 
@@ -84,7 +85,7 @@ export async function waitForNotice(page, pattern) {
   [pattern.source, pattern.flags]);
 }
 
-/** Drops files on the page: [{name, bytes}]; `at`: the element that they are dropped on. */
+/** Drops files onto the page: [{name, bytes}]; `at`: the element that receives them. */
 export async function drop(page, files, at = '#viewer') {
   const transfer = await page.evaluateHandle((list) => {
     const data = new DataTransfer();

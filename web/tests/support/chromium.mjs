@@ -1,4 +1,4 @@
-// A Chromium without a window that draws WebGL in software, the same everywhere.
+// A headless Chromium that draws WebGL in software, the same on every machine.
 
 import { chromium } from 'playwright-core';
 
@@ -7,7 +7,10 @@ const flags = ['--headless=new', '--no-sandbox', '--use-gl=angle', '--enable-uns
   '--disable-background-networking', '--disable-component-update', '--disable-sync',
   '--js-flags=--expose-gc'];
 
-/** `angle`: what Chromium draws with; gl-egl is the system's own GL, Mesa's software for one. */
+/**
+ * `angle`: the GL that Chromium draws with; gl-egl is the system's own, for example Mesa's software
+ * renderer.
+ */
 export const launchChromium = ({ angle = 'swiftshader' } = {}) => chromium.launch({
   executablePath: process.env.EDGESHADE_CHROMIUM ?? '/usr/bin/chromium',
   args: [...flags, `--use-angle=${angle}`],

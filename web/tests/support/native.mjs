@@ -9,7 +9,7 @@ import { repository } from './server.mjs';
 
 export const program = process.env.EDGESHADE_PROGRAM ?? join(repository, 'build/release/edgeshade');
 
-/** What `make` returns of a folder that goes away with everything in it. */
+/** Calls `make` with a temporary folder, deletes the folder, and returns the result. */
 function inFolder(make) {
   const folder = mkdtempSync(join(tmpdir(), 'edgeshade-'));
   try {
@@ -27,9 +27,9 @@ export const packed = (scene, options = []) => inFolder((folder) => {
   return readFileSync(glb);
 });
 
-/** PNG bytes, from the state's eye, lights (of one range) and mask scale, drawn with further
- * `options`. `scene`: bytes of another scene than the sample. `filtersExactly`: without Mesa's short
- * cut that filters textures in 8 bits. */
+/** PNG bytes, drawn with the state's eye, lights (of one range) and mask scale, and further
+ * `options`. `scene`: bytes of a scene other than the sample. `filtersExactly`: turns off Mesa's
+ * shortcut that filters textures in 8 bits. */
 export const rendered = ({ camera: { from, to, fov }, lights, left }, options = [], { filtersExactly = true, scene } = {}) => inFolder((folder) => {
   const png = join(folder, 'native.png');
   const file = scene ? join(folder, 'scene') : join(repository, 'assets/pavilion.glb');
@@ -46,8 +46,8 @@ export const rendered = ({ camera: { from, to, fov }, lights, left }, options = 
   return readFileSync(png);
 });
 
-/** What `sunhours` counts of the sample, from the state's eye, on the day of its sun by place and
- * time: {of, at(x, y)}, the latter {lit, surface}. */
+/** Counts of `sunhours` for the sample, from the state's eye, on the day of its sun by place and
+ * time: {of, at(x, y)}; at() returns {lit, surface}. */
 export const sunHours = ({ sun: { place, time, north }, camera: { from, to, fov } }, step) => inFolder((folder) => {
   const [counts, report] = [join(folder, 'counts.png'), join(folder, 'report.json')];
   execFileSync(program, ['sunhours', join(repository, 'assets/pavilion.glb'), join(folder, 'hours.png'),
@@ -61,8 +61,8 @@ export const sunHours = ({ sun: { place, time, north }, camera: { from, to, fov 
   };
 });
 
-/** Views of the sample: an eye each, lights, how many pixels may differ away from outlines
- * (`astray`) and what share of all (`share`), where that is not as usual. */
+/** Views of the sample: each with an eye, lights, the number of pixels that may differ away from
+ * outlines (`astray`) and their share of all (`share`), if these differ from the usual. */
 export const views = [
   { name: 'its own view', camera: { from: [-2.6, 3.6, 10.2], to: [0.2, 1.3, -0.2], fov: 45 }, lights: [[-0.62, 0.62, -0.3, 0]] },
   // Some rays from the lamp past casters run almost along the picture plane.
@@ -71,6 +71,6 @@ export const views = [
   { name: 'from behind', camera: { from: [-7, 2, -6], to: [0.5, 1.2, 0], fov: 50 }, lights: [[-0.62, 0.62, -0.3, 0]] },
   { name: 'from inside', camera: { from: [0.5, 1.6, 3.5], to: [-0.5, 1.2, -2], fov: 70 }, lights: [[-0.62, 0.62, -0.3, 0]] },
   { name: 'a lamp, from the side', camera: { from: [9, 1.2, 1], to: [0, 1.5, 0], fov: 40 }, lights: [[1.5, 2.2, 2, 1]] },
-  // Twice the shadows, twice their outlines.
+  // Two suns make twice the shadows and twice the outlines.
   { name: 'two suns', camera: { from: [-2.6, 3.6, 10.2], to: [0.2, 1.3, -0.2], fov: 45 }, lights: [[-0.62, 0.62, -0.3, 0], [0.5, 1, 0.4, 0]], share: 0.005 },
 ];

@@ -1,4 +1,4 @@
-// The package as npm packs it, and folders that have installed it.
+// The package as packed by npm, and folders with it installed.
 
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdirSync, symlinkSync, writeFileSync } from 'node:fs';
@@ -7,7 +7,7 @@ import { repository } from './server.mjs';
 
 export const modules = join(repository, 'web/node_modules');
 
-/** What a test of packages needs and isn't there, in a sentence; false: all is there. */
+/** A sentence that names what tests of packages lack; false if nothing is missing. */
 export const missing = (...names) => {
   const name = names.find((one) => !existsSync(join(modules, one, 'package.json')));
   return name ? `${name} is not installed; 'npm ci' in web/ does that.` : false;
@@ -15,11 +15,14 @@ export const missing = (...names) => {
 
 const npm = (folder, ...words) => execFileSync('npm', [...words, '--loglevel', 'error'], { cwd: folder, encoding: 'utf8' });
 
-/** What npm tells of the tarball {filename, files: [{path, size}], size, unpackedSize, …} that it leaves in `folder`. */
+/**
+ * npm's description of the tarball that it leaves in `folder`: {filename, files: [{path, size}],
+ * size, unpackedSize, …}.
+ */
 export const packedInto = (folder) =>
   JSON.parse(npm(join(repository, 'web'), 'pack', '--json', '--pack-destination', folder))[0];
 
-/** Installs it in `folder`, with three.js beside it. */
+/** Installs the package in `folder`, with three.js beside it. */
 export function installIn(folder) {
   const { filename } = packedInto(folder);
   writeFileSync(join(folder, 'package.json'), JSON.stringify({ private: true, type: 'module' }));

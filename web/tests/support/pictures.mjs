@@ -1,4 +1,4 @@
-// Pictures, decoded and compared in the browser.
+// Decodes and compares pictures in the browser.
 
 /** The viewer's picture as PNG bytes. */
 export async function picture(page) {
@@ -12,9 +12,9 @@ export async function picture(page) {
   return Buffer.from(base64, 'base64');
 }
 
-/** {pixels, different, astray, colors}: pixels that differ by more than 2 in a channel; those that
- * differ by more than 12 where the second picture has no step of that size within a pixel; how many
- * colours the first picture has. */
+/** Returns {pixels, different, astray, colors}. different: pixels that differ by more than 2 in a
+ * channel; astray: those that differ by more than 12 where the second picture has no step of that
+ * size within a pixel; colors: number of the first picture's colours. */
 export function compare(page, first, second) {
   return page.evaluate(async (pngs) => {
     const [a, b] = await Promise.all(pngs.map(async (base64) => {

@@ -1,4 +1,4 @@
-// Pictures as PNG.
+// Writes and reads PNG.
 
 import { deflateSync, inflateSync } from 'node:zlib';
 
@@ -31,8 +31,8 @@ export function pngOf(texels, width, height) {
     chunk('IDAT', deflateSync(Buffer.concat(rows))), chunk('IEND', Buffer.alloc(0))]);
 }
 
-/** A PNG of 16-bit grey and alpha as the program writes it, in one piece and without filters: {width,
- * values(pixel, channel)}. */
+/** Reads a PNG of 16-bit grey and alpha, written by the program in one chunk and without
+ * filters: {width, values(pixel, channel)}. */
 export function greyAlphaOf(png) {
   const width = png.readUInt32BE(16);
   const start = png.indexOf('IDAT') + 4;
@@ -41,5 +41,5 @@ export function greyAlphaOf(png) {
   return { width, values: (pixel, channel) => rows.readUInt16BE(place(pixel) + 2 * channel) };
 }
 
-/** What `bytes` are in a data URI; which kind of picture, the bytes themselves say. */
+/** `bytes` as a data URI. The bytes themselves tell the image format. */
 export const dataUri = (bytes) => `data:image/png;base64,${bytes.toString('base64')}`;

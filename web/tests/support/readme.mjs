@@ -1,4 +1,4 @@
-// The code that the package's README shows.
+// The code in the package's README.
 
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';

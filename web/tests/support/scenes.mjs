@@ -1,11 +1,11 @@
-// A small scene for tests that need some picture and no particular one, and one with a texture.
+// A small scene for tests that need any picture, and one with a texture.
 
 import { pngOf } from './png.mjs';
 
 const floats = (values) => Buffer.from(new Float32Array(values).buffer);
 const corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]];
 
-/** A box of half-widths `half`, standing on y = 0, as 36 positions. */
+/** A box of half-widths `half` that stands on y = 0, as 36 positions. */
 function box([hx, hy, hz]) {
   const at = (i, y) => [corners[i][0] * hx, y, corners[i][1] * hz];
   const quads = [[at(3, 2 * hy), at(2, 2 * hy), at(1, 2 * hy), at(0, 2 * hy)],
@@ -19,7 +19,10 @@ function box([hx, hy, hz]) {
 
 const parts = { ground: [4, 0.1, 4], pillar: [0.4, 1.5, 0.4], stone: [0.5, 0.3, 0.3] };
 
-/** A ground, a pillar and a stone that slides along (2 s): its JSON without a buffer, and that. */
+/**
+ * A ground, a pillar and a stone that slides along (2 s): the JSON without a buffer, and the
+ * binary.
+ */
 function smallScene() {
   const blobs = [...Object.values(parts).map((half) => floats(box(half))), floats([0, 2]), floats([1, 0.2, 1, 1, 0.2, -1])];
   const binary = Buffer.concat(blobs);
@@ -46,7 +49,7 @@ function smallScene() {
   return { json, binary };
 }
 
-/** The scene as .gltf without further files. */
+/** The scene as a self-contained .gltf. */
 export function smallGltf() {
   const { json, binary } = smallScene();
   const uri = `data:application/octet-stream;base64,${binary.toString('base64')}`;
@@ -90,15 +93,15 @@ export const texels = Uint8Array.from({ length: 4 * 64 }, (_, at) => {
   return [37 * i, 91 * i + 20, 255 - 4 * i, 37 * (i % 8) ** 2 * (i >> 3)][at & 3] % 256;
 });
 
-/** The same as WebP, every bit kept. */
+/** The same as lossless WebP. */
 export const texelsAsWebp = Buffer.from('UklGRkoAAABXRUJQVlA4TD4AAAAvB8ABEJkKRPQ/NlH/gvc/QBYMIpFd4gPqikAg' +
   'kAQx8Ogf/1cMAA1UECFkkMYOuH3nOgEpe2wAxqGweAT6Aw==', 'base64');
 
 /** The same as PNG. */
 export const texelsAsPng = () => pngOf(texels, 8, 8);
 
-/** The small scene with a picture on its pillar, as .gltf. `image`: glTF's entry; `material`: what
- * else its material has; `animated`: whether the stone moves. */
+/** The small scene with a picture on its pillar, as .gltf. `image`: glTF's entry; `material`:
+ * further properties of its material; `animated`: whether the stone moves. */
 export function texturedGltf(image, material = {}, { animated = false } = {}) {
   const { json, binary } = smallScene();
   const uvs = floats(Array.from({ length: 6 }, () => [0, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1]).flat());
@@ -116,7 +119,7 @@ export function texturedGltf(image, material = {}, { animated = false } = {}) {
   return Buffer.from(JSON.stringify({ ...json, buffers: [{ byteLength: all.length, uri }] }));
 }
 
-/** A square as meshoptimizer's encoder packs its positions and indices, and as Draco's packs both. */
+/** A square's positions and indices, packed by meshoptimizer's encoder and by Draco's. */
 const packedSquare = {
   meshopt: ['oAAAAAEzAAAA//8AAAAAAAAAAQwAAAD/AAAAAAAAAAAAAAAAAAAAAAAAAAAAAIC/AAAAAAAAgL8=', '4f4u8AQAdodWZ3iphmWJaJgBaQAA'],
   draco: ['RFJBQ08CAgEBAAAABAIAAgAAAS//AREB/wAAAQAJAwAAAAAAgD8AAAAAAACAPwAAgL8AAAAAAACAvwAAgL8AAAAAAACAPwAAgD8AAAAAAACAvw=='],

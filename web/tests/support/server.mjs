@@ -1,4 +1,5 @@
-// A static server over build/web, the tests' own pages, the comparison's and folders of scenes.
+// A static server for build/web, the tests' own pages, the comparison's pages and folders of
+// scenes.
 
 import { createReadStream, existsSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
@@ -18,7 +19,7 @@ const types = { '.html': 'text/html', '.js': 'text/javascript', '.mjs': 'text/ja
   '.css': 'text/css', '.svg': 'image/svg+xml', '.wasm': 'application/wasm',
   '.glb': 'model/gltf-binary', '.gltf': 'model/gltf+json', '.json': 'application/json' };
 
-/** What is made when it is asked for. */
+/** Files that are created when they are requested. */
 const made = {
   '/tests/small.gltf': smallGltf,
   '/tests/found/scene.gltf': () => texturedGltf({ uri: 'texture%20of%20it.png' }),
@@ -33,7 +34,10 @@ function fileOf(url, roots) {
   return below.startsWith('..') ? null : join(roots[root], below.endsWith('/') || below === '.' ? `${below}/index.html` : below);
 }
 
-/** {address, asked, close()}; `asked`: every path that was asked for. `roots`: folders by how paths begin. */
+/**
+ * Returns {address, asked, close()}; `asked`: all requested paths. `roots`: folders by the start of
+ * a path.
+ */
 export async function serve(roots = usual) {
   const asked = [];
   const server = createServer((request, response) => {

@@ -1,4 +1,4 @@
-// A page with three.js and its exact shadows; masks that the native program draws of what it shows.
+// A page with three.js and its exact shadows, and masks by the native program of the same view.
 
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -6,19 +6,19 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { program } from './native.mjs';
 
-/** Releases that are tried; the names of packages. */
+/** Tested releases, as names of packages. */
 export const releases = ['three-0.152', 'three-0.169', 'three'];
 
 export const size = { width: 480, height: 270 };
 
-/** Opens it, with `release` of three.js. */
+/** Opens the page with `release` of three.js. */
 export async function openThree(shared, release = 'three', options = {}) {
   const page = await shared.open(`/tests/three.html?three=${release}`, { scene: false, ...options });
   await page.waitForFunction(() => window.page);
   return page;
 }
 
-/** What `render --mask` draws of a .glb's bytes or a path, in colour PNG bytes. */
+/** The result of `render --mask` for a .glb's bytes or path, as colour PNG bytes. */
 export function nativeMask(scene, { from, to, fov, height }, light) {
   const folder = mkdtempSync(join(tmpdir(), 'edgeshade-'));
   try {
@@ -38,9 +38,10 @@ export function nativeMask(scene, { from, to, fov, height }, light) {
 }
 
 /**
- * Both masks, pixel by pixel: the page's as `red` (redOf), the native one as PNG. {surfaces, wrong, beyond}: pixels
- * that show something; those of them where one is lit and the other isn't; those of these without a boundary of
- * the native mask, or of what is seen, within a pixel.
+ * Compares two masks pixel by pixel: the page's as `red` (redOf), the native one as PNG. Returns
+ * {surfaces, wrong, beyond}. surfaces: pixels that show something; wrong: those where only one mask
+ * is lit; beyond: wrong ones with no boundary of the native mask or of visible geometry within a
+ * pixel.
  */
 export function compareMasks(page, red, png) {
   return page.evaluate(async ({ values, base64 }) => {
@@ -50,7 +51,7 @@ export function compareMasks(page, red, png) {
     const context = new OffscreenCanvas(width, height).getContext('2d');
     context.drawImage(bitmap, 0, 0);
     const { data } = context.getImageData(0, 0, width, height);
-    // 0: nothing is there; 1: in shadow; 2: lit.
+    // 0: no surface; 1: in shadow; 2: lit.
     const known = (x, y) => (data[4 * (y * width + x) + 3] === 0 ? 0 : data[4 * (y * width + x)] > 127 ? 2 : 1);
     let surfaces = 0, wrong = 0, beyond = 0, dark = 0;
     for (let y = 0; y < height; ++y)

@@ -1,5 +1,4 @@
-// What a page of one's own does with the element in TypeScript; must compile, and what is expected
-// to be an error must be one.
+// A page's use of the element in TypeScript; it must compile, and each expected error must occur.
 
 import 'edgeshade';
 import { hourColors, keys, sizeText, type Command, type EdgeshadeViewer, type LoadDetail, type ViewState } from 'edgeshade';

@@ -1,8 +1,11 @@
-// What the README's lines for the element are given, as globals: files, and a label.
+// Globals that the README's lines for the element need: files, and a label.
 
 const bytes = await (await fetch('/house.glb')).arrayBuffer();
 
-/** Red of the small scene's ground seen from above, by the sun of the README's tag: in shadow, in light. */
+/**
+ * Red of two points of the small scene's ground, seen from above under the sun of the README's tag:
+ * one in shadow, one in light.
+ */
 async function shadowAndLightOf(viewer) {
   viewer.change({ lights: [[0.4, 1, 0.3, 0]], left: { shadows: 'auto' }, ambient: 0,
     camera: { from: [0, 10, 0.01], to: [0, 0.2, 0], fov: 60 } });

@@ -1,4 +1,5 @@
-// What the README's lines for masks are given, as globals: a floor with a box above it in one mesh, seen from above.
+// Globals that the README's lines for masks need: a floor and a box above it in one mesh, seen from
+// above.
 
 const gl = document.createElement('canvas').getContext('webgl');
 Object.assign(gl.canvas, { width: 160, height: 120 });
@@ -12,7 +13,7 @@ const elsewhere = worldFromObject;
 const viewFromWorld = [1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, -10, 1];
 const clipFromView = [1.5, 0, 0, 0, 0, 2, 0, 0, 0, 0, -1.02, -1, 0, 0, -0.2, 0];
 
-/** Red of a mask where points of the floor are seen: in shadow, in light. */
+/** Red of a mask at two points of the floor: one in shadow, one in light. */
 function shadowAndLightIn(texture) {
   gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
   gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);

@@ -1,5 +1,5 @@
-// What the README's lines for three.js are given, as globals: a ground, a box above it and a sun. A
-// worker finds the edges of meshes as large as these.
+// Globals that the README's lines for three.js need: a ground, a box above it and a sun. The meshes
+// are so large that a worker finds their edges.
 
 import * as three from 'three';
 
@@ -20,7 +20,7 @@ camera.position.set(0, 7, 0.01);
 camera.lookAt(0, 0, 0);
 camera.updateMatrixWorld();
 
-/** Red where points of the ground are seen: in shadow, in light. */
+/** Red at two points of the ground: one in shadow, one in light. */
 function shadowAndLight() {
   const gl = renderer.getContext();
   return [[-0.75, 0, 0.45], [1.5, 0, 1]].map((point) => {
