@@ -124,8 +124,8 @@ def map_table(results):
 
 def stage_table(results):
     """Where a frame's time goes."""
-    lines = ["| scene | frame, ms | ambient | silhouette | rasterise | lit | the same of published "
-             "records |", "|" + " --- |" * 7]
+    lines = ["| scene | frame, ms | ambient | silhouette | rasterise | lit | published records: the "
+             "same |", "|" + " --- |" * 7]
     for scene, of in results["scenes"].items():
         cells = []
         for way in ("proposed", "published"):
