@@ -44,8 +44,8 @@ def measured(scene, folder):
 
 
 def table(results):
-    lines = ["| scene | encoding | shadow data, bytes | of the published sum | file, bytes | load, adapted "
-             "records, s | load, published ones, s |",
+    lines = ["| scene | encoding | shadow data, bytes | share of the published sum | file, bytes | load, "
+             "plane-pair records, s | load, published records, s |",
              "|" + " --- |" * 7]
     shares = {encoding: [] for encoding in ENCODINGS}
     loads = {encoding: [] for encoding in ENCODINGS}
@@ -62,8 +62,8 @@ def table(results):
         lines.append(f"| geometric mean, largest share | `{encoding}` | | "
                      f"at most {max(shares[encoding]):.3f} | | {adapted:.2f} | {published:.2f} |")
     of = results["machine"]
-    return (f"{of['cores']} cores of {of['processor']}, {of['date']}, software renderer; load and one picture "
-            f"of 8x8, processor time on all cores, the least of {REPEATS}.\n\n" + "\n".join(lines))
+    return (f"{of['cores']} cores of {of['processor']}, {of['date']}, software renderer. Times are processor "
+            f"time on all cores to load and to draw one picture of 8x8, the least of {REPEATS}.\n\n" + "\n".join(lines))
 
 
 def measured_all():

@@ -52,7 +52,7 @@ def measured():
 
 def table(scenes):
     lines = ["| scene | light | " + " | ".join(f"{n} points, wrong %" for n in POINTS)
-             + f" | {POINTS[-1]} looked up | beyond 1 px | looked up | not tied | looked up | worst pixel |",
+             + f" | {POINTS[-1]} points, looked up | beyond 1 px: volumes | looked up | not tied: volumes | looked up | worst pixel |",
              "|" + " --- |" * (8 + len(POINTS))]
     for name, shapes in scenes.items():
         for shape, by_points in shapes.items():
@@ -70,6 +70,6 @@ def table(scenes):
 if __name__ == "__main__":
     results = results_of("extended_lights", measured)
     told = (f"{results['machine']['cores']} cores of {results['machine']['processor']}, "
-            f"{results['machine']['date']}, software renderer, {SIZE}; the last five columns are of "
-            f"{POINTS[-1]} points, by volumes and looked up in primitive maps.")
+            f"{results['machine']['date']}, software renderer, {SIZE}. The last five columns are for "
+            f"{POINTS[-1]} points, by volumes and by lookup in primitive maps.")
     replace_between("docs/measured/extended-lights.md", "counts", told + "\n\n" + table(results["scenes"]))

@@ -85,8 +85,8 @@ def ratio_table(results, light, ways):
 
 
 def stage_table(results):
-    lines = ["| scene | frame, ms | ambient | silhouette | rasterise | lit | the same of published "
-             "records | planning, ms | processor's, ms: ours | published |", "|" + " --- |" * 10]
+    lines = ["| scene | frame, ms | ambient | silhouette | rasterise | lit | published records: the "
+             "same | planning, ms | processor, ms: ours | published |", "|" + " --- |" * 10]
     for scene, of in results.items():
         cells = []
         for way in ("ours", "published"):

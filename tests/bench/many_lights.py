@@ -79,7 +79,7 @@ def growth(rows, setting, of):
 def table(name, scene):
     rows = scene["rows"]
     names = [ALL, *SETTINGS]
-    lines = [f"**{name}**", "", "| lights | that reach | " + " | ".join(f"{of}: ms | MB" for of in names) +
+    lines = [f"**{name}**", "", "| lights | reaching | " + " | ".join(f"{of}: ms | MB" for of in names) +
              f" | {ALL}: ms a light | thousands of vertices |", "| --- | --- |" + " --- |" * (2 * len(names) + 2)]
     for count, row in rows.items():
         cells = [count, str(row[ALL]["reaching"])]
@@ -94,22 +94,22 @@ def tables(results):
     machine = results["machine"]
     scenes = results["scenes"]
     lines = [f"{machine['processor']}, {machine['cores']} cores, {machine['date']}; "
-             f"{next(iter(scenes.values()))['renderer']}. Processor's milliseconds a frame of "
-             f"{SIZE} pixels, medians of {FRAMES}; MB on the GPU, of shadows and of the table of lights; vertices "
-             "through shaders of volumes.", ""]
+             f"{next(iter(scenes.values()))['renderer']}. Times are the processor's milliseconds for "
+             f"a frame of {SIZE} pixels, medians of {FRAMES}. MB on the GPU are those of shadows and of the table of "
+             "lights. Vertices are those that the volumes' shaders run for.", ""]
     for name, scene in scenes.items():
         lines += table(name, scene)
-    lines += ["**Growth**: the power of the number of lights that reach something by which a frame's time grows, and "
-              "volumes' vertices, from 4 lights on. 1 is linear.", "",
+    lines += ["**Growth**: the exponent with which time and volumes' vertices grow with the number of lights that reach "
+              "something, from 4 lights on. 1 is linear.", "",
               "| scene | " + " | ".join(f"{of}: time" for of in (ALL, *SETTINGS)) + f" | {ALL}: vertices |",
               "| --- |" + " --- |" * (len(SETTINGS) + 2)]
     for name, scene in scenes.items():
         powers = [growth(scene["rows"], of, "ms") for of in (ALL, *SETTINGS)]
         lines.append("| " + " | ".join([name, *(f"{power:.2f}" for power in powers),
                                         f"{growth(scene['rows'], ALL, 'runs'):.2f}"]) + " |")
-    lines += ["", f"**Lights that reach nothing that is visible**: {SEEN} lights around the scene's middle, all with "
+    lines += ["", f"**Lights that reach nothing visible**: {SEEN} lights around the scene's middle, all with "
               f"shadows, and the same with {AWAY} more, 20 scenes' sizes away.", "",
-              "| scene | lights | that reach | ms | thousands of vertices | MB |", "| --- |" + " --- |" * 5]
+              "| scene | lights | reaching | ms | thousands of vertices | MB |", "| --- |" + " --- |" * 5]
     for name, scene in scenes.items():
         for which, count in (("without", SEEN), ("with", SEEN + AWAY)):
             of = scene["away"][which]

@@ -93,7 +93,7 @@ def table(results):
     renderer = next(iter(scenes.values()))["renderer"]
     lines = [f"{machine['cores']} cores of {machine['processor']}, {machine['date']}, {renderer}, {SIZE}, "
              f"{VIEWS} views, {FRAMES} frames.", ""]
-    lines += ["| light | shadows | image wrong, % | beyond 1 px, % | scenes where less is wrong than of the first map |",
+    lines += ["| light | shadows | image wrong, % | beyond 1 px, % | scenes with fewer wrong pixels than the first map |",
               "|" + " --- |" * 5]
     for kind, first in (("sun", next(iter(SUN))), ("lamp", next(iter(LAMP)))):
         of = [scene["rows"] for name, scene in scenes.items() if name.endswith(kind)]

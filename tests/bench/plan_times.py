@@ -14,7 +14,7 @@ from edgeshade_runs import mean, replace_between, results_of, told_of_models
 
 def table(scenes):
     lights = list(scenes[0]["layers"])
-    lines = ["| scene | triangles | what is seen | " + " | ".join(
+    lines = ["| scene | triangles | visible geometry | " + " | ".join(
         f"layers: {light}" for light in lights) + " |", "|" + " --- |" * (3 + len(lights))]
     rows = []
     for of in scenes:
@@ -35,8 +35,8 @@ def main():
                                                               "PLAN_TIMES", NAMES))
     of = results["machine"]
     replace_between("docs/measured/gpu.md", "planning",
-                    f"{of['cores']} cores of {of['processor']}, {of['date']}; milliseconds by the wall "
-                    "clock, and of both cores' time.\n\n"
+                    f"{of['cores']} cores of {of['processor']}, {of['date']}; milliseconds of the "
+                    "wall clock, then of both cores together.\n\n"
                     + table(results["scenes"]))
 
 

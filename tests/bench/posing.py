@@ -50,7 +50,7 @@ def measured():
 
 
 def stages(results):
-    lines = ["| scene | triangles that deform | positions and normals | records, planes and boxes | "
+    lines = ["| scene | deforming triangles | positions and normals | records, planes and boxes | "
              "silhouettes | bound of layers | with uploads, in a viewer | in Chromium |",
              "|" + " --- |" * 8]
     for name, of in results.items():

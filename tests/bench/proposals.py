@@ -29,7 +29,7 @@ def table(results):
     radii = [ball["radius"] for ball in results["scenes"][0]["balls"]]
     heads = ["at rest: ms", "WebAssembly: ms", "listed, %"] + [
         f"radius {100 * radius:g} %: ms, listed, %" for radius in radii[1:]]
-    lines = ["| scene | triangles | records of two | " + " | ".join(heads) + " |",
+    lines = ["| scene | triangles | records of two planes | " + " | ".join(heads) + " |",
              "|" + " --- |" * (3 + len(heads))]
     for of in results["scenes"]:
         cells = []
@@ -41,8 +41,8 @@ def table(results):
         lines.append(f"| {NAMES[of['scene']]} | {of['triangles']:,} | {of['pairs']:,} | "
                      + " | ".join(cells) + " |")
     of = results["machine"]
-    return (f"Processor time of one thread, {of['processor']}, {of['date']}, the quickest of 20 runs; "
-            "radii as shares of the scene's diagonal; WebAssembly in node, whose engine is "
+    return (f"Processor time of one thread, {of['processor']}, {of['date']}, the quickest of 20 runs. "
+            "Radii are shares of the scene's diagonal. WebAssembly runs in node, whose engine is "
             "Chromium's.\n\n" + "\n".join(lines))
 
 

@@ -125,8 +125,8 @@ def map_table(results):
 
 def stage_table(results):
     """The parts of a frame's time."""
-    lines = ["| scene | frame, ms | ambient | silhouette | rasterise | lit | the same of published "
-             "records |", "|" + " --- |" * 7]
+    lines = ["| scene | frame, ms | ambient | silhouette | rasterise | lit | published records: the "
+             "same |", "|" + " --- |" * 7]
     for scene, of in results["scenes"].items():
         cells = []
         for way in ("proposed", "published"):

@@ -52,8 +52,8 @@ def median(values):
 
 
 def table(scenes):
-    lines = ["| scene | dragged, median ms | at rest, counted: longest | the frame that takes the map "
-             "over | looked up, median |", "|" + " --- |" * 5]
+    lines = ["| scene | dragged, median ms | at rest, counted: longest | the frame that takes over the "
+             "map | looked up, median |", "|" + " --- |" * 5]
     for scene, frames in scenes.items():
         moved = [frame["ms"] for frame in frames if frame["at"] < 1.0][1:]
         counted = [frame["ms"] for frame in frames

@@ -103,7 +103,7 @@ def table(results):
     lines = [f"{machine['cores']} cores of {machine['processor']}, {machine['date']}, {renderer}, {SIZE}, "
              f"{VIEWS} views, {FRAMES} frames.", "",
              "| scene, light | shadows | mask wrong, % | beyond 1 px, % | image wrong, % | beyond 1 px, % | "
-             "frame, of volumes' | MB |", "|" + " --- |" * 8]
+             "frame / volumes' | MB |", "|" + " --- |" * 8]
     lines += [row_of(name, shadows, row, of["rows"][FIRST])
               for name, of in scenes.items() for shadows, row in of["rows"].items()]
     return "\n".join(lines)
@@ -114,7 +114,7 @@ def means(results):
     ratios."""
     cases = [of["rows"] for of in results["scenes"].values()]
     lines = ["| shadows | mask wrong, % | beyond 1 px, % | image wrong, % | beyond 1 px, % | "
-             "frame, of volumes' | least .. most |", "|" + " --- |" * 7]
+             "frame / volumes' | least .. most |", "|" + " --- |" * 7]
     for shadows in cases[0]:
         ratios = [rows[shadows]["ms"] / rows[FIRST]["ms"] for rows in cases]
         errors = [sum(rows[shadows][key] for rows in cases) / len(cases)
@@ -124,9 +124,9 @@ def means(results):
     passes = [rows[PASS]["ms"] / rows[FAIL]["ms"] for rows in cases]
     worse = sum(rows[PASS]["mask"] > rows[FAIL]["mask"] for rows in cases)
     better = sum(rows[PASS]["mask"] < rows[FAIL]["mask"] for rows in cases)
-    lines += ["", f"A frame of z-pass takes {figure(mean(passes))} of one of z-fail "
-              f"({figure(min(passes))} .. {figure(max(passes))}). Of {len(cases)} cases {worse} have more "
-              f"wrong pixels in the mask than of z-fail, {better} fewer."]
+    lines += ["", f"A frame of z-pass takes {figure(mean(passes))} of the time of a frame of z-fail "
+              f"({figure(min(passes))} .. {figure(max(passes))}). In {worse} of {len(cases)} cases the mask has more "
+              f"wrong pixels than with z-fail, in {better} fewer."]
     return "\n".join(lines)
 
 

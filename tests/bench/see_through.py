@@ -98,7 +98,7 @@ def head(*cells):
 
 def blended_table(scenes):
     lines = [head("scene", "looked up: wrong %", "beyond 1 px", "not tied", "counted: wrong %",
-                  "beyond 1 px", "not tied", "frame, unlit", "lit, / unlit", "map, ms", "MB")]
+                  "beyond 1 px", "not tied", "frame, unlit", "lit / unlit", "map built in, ms", "MB")]
     for name, of in scenes.items():
         base = of["unlit"]["median"]
         light = of["mapped"]["lights"][0]
@@ -111,7 +111,7 @@ def blended_table(scenes):
 def leaves_table(scenes):
     lines = [head("scene", "leaves cast", "wrong %", "beyond 1 px", "not tied", "frame, ms")]
     ways = {"looked_up": "cut out, primitive map", "map": "cut out, shadow map 2048",
-            "none": "not, primitive map", "whole": "whole, volumes"}
+            "none": "no, primitive map", "whole": "whole triangles, volumes"}
     for name, of in scenes.items():
         for way, words in ways.items():
             errors_of = wrong(of[way]) if way in of else ' |  | '

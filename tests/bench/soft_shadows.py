@@ -103,8 +103,8 @@ def table(results):
     renderer = next(iter(results["scenes"].values()))["renderer"]
     lines = [f"{machine['cores']} cores of {machine['processor']}, {machine['date']}, {renderer}, "
              f"{SIZE}.", "",
-             "| scene, light | shadows | RMS error, % | mean error, % | frame, ms | of 1 point's "
-             "| built in, ms |",
+             "| scene, light | shadows | RMS error, % | mean error, % | frame, ms | / 1 point's "
+             "| map built in, ms |",
              "|" + " --- |" * 7]
     for name, of in results["scenes"].items():
         for shadows, row in of["rows"].items():

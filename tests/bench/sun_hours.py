@@ -82,7 +82,7 @@ def rows_of(scenes):
 
 
 def table(scenes):
-    lines = ["| scene | seen | positions | mean hours | counted wrong, % | beyond 1 px, % |", "|" + " --- |" * 6]
+    lines = ["| scene | view | positions | mean hours | counted wrong, % | beyond 1 px, % |", "|" + " --- |" * 6]
     for name, view, of in rows_of(scenes):
         wrong = figure(percent(of["wrong_mask_pixels"], of["visible_pixels"]))
         beyond = figure(percent(of["wrong_mask_beyond_1px"], of["visible_pixels"]))
@@ -91,7 +91,7 @@ def table(scenes):
 
 
 def times_table(scenes):
-    lines = ["| scene | seen | rays, millions | whole run, s | upload, s | counting, s | Embree: tree, s | rays, s "
+    lines = ["| scene | view | rays, millions | whole run, s | upload, s | counting, s | Embree: tree, s | rays, s "
              "| counting / rays | lit by rays / by counting |", "|" + " --- |" * 10]
     for name, view, of in rows_of(scenes):
         medians = [statistics.median(of[key]) for key in ("seconds", "upload_s", "count_s", "tree_s", "rays_s")]

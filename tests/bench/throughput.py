@@ -62,9 +62,9 @@ def large_table(results):
                      + f" | {rate(of['seconds_on_all_threads'])} | "
                      f"{rate(sum(of['meshoptimizer_seconds'].values()))} |")
     of = results["machine"]
-    return (f"Processor time of one thread, and the clock's on all of them; {of['processor']}, "
-            f"{of['cores']} cores, {of['date']}. *Before*: of the code that sorted by comparing, "
-            "processor time of one thread, measured once.\n\n" + "\n".join(lines))
+    return (f"Processor time of one thread; on all threads the wall clock's; {of['processor']}, "
+            f"{of['cores']} cores, {of['date']}. *Before* is the speed of the code that sorted by comparing, "
+            "in processor time of one thread, measured once.\n\n" + "\n".join(lines))
 
 
 def main():

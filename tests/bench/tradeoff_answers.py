@@ -195,8 +195,8 @@ def table(results):
     machine, scenes = results["machine"], results["scenes"]
     lines = [f"{machine['cores']} cores of {machine['processor']}, {machine['date']}, {SIZE}, {FRAMES} frames, "
              f"{VIEWS} views; checked in {OTHER_FRAMES} other frames and {OTHER_VIEWS} other views.", "",
-             "| scenes | asked for | answers | time kept | errors kept | both | time taken over budget, median | "
-             "errors over what was asked, median |", "|" + " --- |" * 8]
+             "| scenes | demands | answers | time kept | errors kept | both | time taken over budget, median | "
+             "errors over the limit, median |", "|" + " --- |" * 8]
 
     def row(name, asked, tries):
         def middle(values):
@@ -217,12 +217,11 @@ def table(results):
     every = [t for scene in scenes for t in scene["tries"]]
     lines.append(row("all", sum(s["asked"] for s in scenes), every))
     left = sum(s["left"] for s in scenes) / len(scenes)
-    lines += ["", f"Of {scenes[0]['rows']} settings {left:.0f} were not dropped, on average. Of "
-              f"{sum(s['asked'] for s in scenes)} demands {sum(s['possible'] for s in scenes)} are met by a setting as "
-              "measured, without bounds."]
+    lines += ["", f"On average {left:.0f} of {scenes[0]['rows']} settings were not dropped. Without bounds, as measured, some "
+              f"setting meets {sum(s['possible'] for s in scenes)} of {sum(s['asked'] for s in scenes)} demands."]
     failed = [(s, t) for s in scenes for t in s["tries"] if not (t["in_time"] and t["right_enough"])]
     if failed:
-        lines += ["", "| broken | taken | budget, ms | took | asked, % | wrong |", "|" + " --- |" * 6]
+        lines += ["", "| broken | taken | budget, ms | took | limit, % | wrong |", "|" + " --- |" * 6]
         lines += [f"| {s['kind']} {s['seed']} | {t['take']} | {figure(t['budget_ms']) if t['budget_ms'] else ''} | "
                   f"{figure(t['frame_ms'])} | {figure(t['most_wrong']) if t['most_wrong'] else ''} | "
                   f"{figure(t['wrong'])} |" for s, t in failed]

@@ -50,9 +50,9 @@ def table(results):
     lines = ["| scene | tolerance, % of the diagonal | open edges | quads | degenerate triangles, "
              "non-manifold edges made | mask wrong, % | image wrong, % |", "|" + " --- |" * 7]
     lines += [row(scene, one) for scene, one in results["scenes"].items()]
-    return (f"{SIZE}, {VIEWS} views against the oracle of the surfaces as they were, software "
-            f"renderer, {of['date']}. Quads: of all edges, two a pair of triangles, in closed "
-            f"components one; flat edges count too.\n\n" + "\n".join(lines))
+    return (f"{SIZE}, {VIEWS} views against the oracle of the unwelded surfaces, software "
+            f"renderer, {of['date']}. Quads are those of all edges, flat ones too: two "
+            f"for a pair of triangles, one in closed components.\n\n" + "\n".join(lines))
 
 
 def main():
