@@ -3,7 +3,7 @@
 import { isSun, withExtent } from './lights.js';
 
 const sideKeys = {
-  shadows: 'shadows', 'map-size': 'map_size', multiplicity: 'multiplicity', 'mask-scale': 'mask_scale',
+  shadows: 'shadows', 'map-size': 'map_size', 'mask-scale': 'mask_scale',
 };
 const whole = new Set(['map-size', 'mask-scale']);
 
@@ -16,8 +16,7 @@ export const withOthers = (names) =>
 
 /** Attributes that describe how a scene is shown, each with an example. */
 export const viewAttributes = [
-  'camera', 'light', 'sun', 'light-radius', 'sun-angle', 'light-samples', 'smooth', 'place', 'time-of-day', 'north', 'day-playing', 'sun-hours', 'shading', 'ambient', 'exposure', 'ground', 'cast-cutouts', 'cull', 'shadows', 'map-size', 'multiplicity',
-  'mask-scale', 'split', 'split-shadows', 'split-map-size', 'split-mask-scale', 'split-at', 'debug', 'lights', 'animation', 'playing',
+  'camera', 'light', 'sun', 'light-radius', 'sun-angle', 'light-samples', 'smooth', 'place', 'time-of-day', 'north', 'day-playing', 'sun-hours', 'shading', 'ambient', 'exposure', 'ground', 'cast-cutouts', 'cull', 'shadows', 'map-size', 'mask-scale', 'split', 'split-shadows', 'split-map-size', 'split-mask-scale', 'split-at', 'debug', 'lights', 'animation', 'playing',
   'speed', 'time',
 ];
 

@@ -61,16 +61,18 @@ export type Shadows = 'auto' | 'volumes' | 'lookup' | 'primitive-map' | 'map' | 
 export interface SideSettings {
   shadows: Shadows;
   map_size: number;
-  /** For maps; the program for pages only draws 'cube' (one map for a sun) with 'pcf'. */
+  /** For maps; the program for pages only draws 'cube' (one map for a sun) and 'cascades'. */
   map_kind: 'cube' | 'cascades' | 'paraboloid' | 'warped';
   /** 1 to 4. */
   cascades: number;
+  /** The program for pages only filters by 'pcf'. */
   filter: 'pcf' | 'poisson' | 'vsm' | 'esm' | 'msm';
   /** Width of the filter in texels. */
   pcf: number;
   /** For 'warped' maps. */
   warp: 'rectilinear' | 'non-orthogonal';
-  multiplicity: string;
+  /** 'plane'; the others are for the native program, which has published records. */
+  multiplicity: 'plane' | 'reference-edge' | 'three-edge' | 'single-edge' | 'triangle';
   /** Volumes are counted once per block of this many by this many pixels: 1, 2 or 4. */
   mask_scale: number;
 }
@@ -273,7 +275,7 @@ export interface EdgeshadeViewerEventMap {
  *   cull        auto (the default): materials that aren't double-sided are only seen from their
  *               front, and cast from either side; off: all surfaces are seen from both sides
  *   shadows     auto (the default), volumes, lookup, map or none; map-size: of a map, in
- *               texels; multiplicity; mask-scale: 1, 2 or 4, width in pixels of the blocks for
+ *               texels; mask-scale: 1, 2 or 4, width in pixels of the blocks for
  *               which volumes are counted once
  *   split       present: two settings side by side; split-shadows, split-map-size,
  *               split-mask-scale: those of the right side; split-at: 0..1

@@ -58,7 +58,7 @@ const wrong = [
   ['broken Draco data', [{ name: 'broken.glb', bytes: Buffer.from(sample).fill(0xAB, 60000, 61000) }], /^'broken\.glb'.*can't be decoded/],
   ['a wrong type', [{ name: 'photo.png', bytes: Buffer.from('PNG') }], /^'photo\.png' is not a glTF scene: choose a \.glb/],
   ['an empty file', [{ name: 'empty.glb', bytes: Buffer.alloc(0) }], /^'empty\.glb' is empty\.$/],
-  ['two scenes', [{ name: 'a.glb', bytes: sample }, { name: 'b.glb', bytes: sample }], /^There are 2 scenes/],
+  ['two scenes', [{ name: 'a.glb', bytes: sample }, { name: 'b.glb', bytes: sample }], /^The dropped files contain 2 scenes/],
   ['a count that no memory holds', [{ name: 'count.gltf', bytes: Buffer.from(JSON.stringify({
     ...JSON.parse(triangle.gltf('x.bin')),
     accessors: [{ componentType: 5126, count: 1000000000, type: 'VEC3' }], bufferViews: undefined, buffers: undefined,

@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { useBrowser } from './support/browser.mjs';
+import { times } from './support/long.mjs';
 
 const shared = useBrowser();
 
@@ -19,7 +20,9 @@ function keepMemories() {
   };
 }
 
-test('50 loads in a row leave memory flat', async () => {
+const first = times(8, 20), more = times(12, 50);
+
+test(`${more} loads in a row leave memory flat`, async () => {
   const page = await shared.open('/', { size: { width: 120, height: 160 }, init: keepMemories });
   const session = await page.context().newCDPSession(page);
   /** Bytes of JavaScript's heap and of the page's WebAssembly memories. */
@@ -34,11 +37,11 @@ test('50 loads in a row leave memory flat', async () => {
   const loadTimes = (count) => page.evaluate(async (times) => {
     for (let i = 0; i < times; ++i) await document.querySelector('#viewer').load('assets/pavilion.glb');
   }, count);
-  await loadTimes(20); // until the allocator has room for two scenes at once
+  await loadTimes(first); // until the allocator has room for two scenes at once
   const before = await used();
-  await loadTimes(50);
+  await loadTimes(more);
   const after = await used();
-  console.log(`${(before / 1e6).toFixed(1)} MB after 20 loads, ${(after / 1e6).toFixed(1)} MB after 70`);
+  console.log(`${(before / 1e6).toFixed(1)} MB after ${first} loads, ${(after / 1e6).toFixed(1)} MB after ${first + more}`);
   assert.ok(after < 1.05 * before + 2e6, `${before} bytes became ${after}`);
   await shared.check(page);
 });

@@ -1,6 +1,7 @@
 #!/bin/sh
-# Runs the browser's tests: run.sh PROGRAM, the native edgeshade to compare with. Status 77:
-# skipped, because something that they need is missing.
+# Runs the browser's tests: run.sh PROGRAM [FILES...]. PROGRAM is the native edgeshade to compare
+# with, FILES are test files in web/, by default all. Status 77: skipped, because something that they
+# need is missing.
 set -eu
 EDGESHADE_PROGRAM=$1
 export EDGESHADE_PROGRAM
@@ -13,4 +14,6 @@ skip() {
 command -v node > /dev/null || skip "there is no Node.js."
 [ -d node_modules/playwright-core ] || skip "playwright-core is not installed; 'npm ci' in web/ does that."
 [ -x "${EDGESHADE_CHROMIUM:-/usr/bin/chromium}" ] || skip "there is no Chromium."
-exec node --test --test-concurrency=1 tests/*.test.mjs
+shift
+[ $# -gt 0 ] || set -- tests/*.test.mjs
+exec node --test --test-concurrency=1 "$@"
