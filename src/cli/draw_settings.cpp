@@ -407,7 +407,7 @@ DrawSettings settingsFrom(const DrawSettings& base, const std::string& text) {
     settings.extentOptions.clear();
     settings.planarOptions.clear();
     settings.typedShadowedLights = false;
-    // Of these two, the one typed here decides the other.
+    // Multiplicity or layout, whichever is typed here, decides the other.
     settings.multiplicity.reset();
     settings.layout.reset();
     settings.silhouette.reset();

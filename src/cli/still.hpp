@@ -31,9 +31,9 @@ bool isGrey(const StillTask& task);
 FrameView viewOf(const LoadedScene& loaded, const StillTask& task, std::size_t n,
                  const FrameView* like = nullptr);
 
-/// Draws the task: RGBA, rows top to bottom. `first`: viewOf() of picture 0. `renderer` draws the
-/// last picture last. `progress` receives the share done. Throws Error(usage) for more masks than
-/// can be added up, and Error(unavailable) if the GL can't add up lights.
+/// Draws the task: RGBA, rows top to bottom. `first`: viewOf() of picture 0. Afterwards `renderer`
+/// has the plan of the last picture. `progress` receives the share done. Throws Error(usage) for
+/// more masks than can be added up, and Error(unavailable) if the GL can't add up lights.
 std::vector<std::uint8_t> drawStill(const LoadedScene& loaded, const StillTask& task,
                                     const FrameView& first, Renderer& renderer, GpuScene& scene,
                                     const gl::HeadlessContext& context,
