@@ -769,7 +769,7 @@ def build_lantern(scene):
                                          0.0)], 0.008, 6))
     scene.node("lantern", scene.mesh("lantern", ("brass", brass),
                                      ("iron", iron)), at=LANTERN)
-    # What is see-through casts nothing, so the light at LANTERN shines on.
+    # See-through surfaces cast no shadow, so the light at LANTERN shines through.
     chimney = lathe([[(0.055, -0.16), (0.085, -0.06), (0.085, 0.04),
                       (0.055, 0.15)]], 20)
     scene.node("lantern_glass", scene.mesh(

@@ -111,7 +111,7 @@ struct MaskNearness {
                           ///< units
 };
 
-/// Who preserves the host's GL state during a call.
+/// The party that preserves the host's GL state during a call.
 enum class StateKeeper {
     engine, ///< the engine restores everything it changes
     host,   ///< docs/engine.md lists the state left behind; glGetError() isn't called either. For

@@ -15,7 +15,7 @@ namespace edgeshade {
 /// Upper limit of a flat tolerance, exclusive, in degrees.
 inline constexpr double flatToleranceEnd = 45.0;
 
-/// Which triangles of a scene the shadow data hold, and how they were made.
+/// The casters that a scene's shadow data hold, and how the data are made.
 struct CasterSettings {
     double weldTolerance = 0.0; ///< scene units
     bool castMasked = false;    ///< MASK and BLEND surfaces cast too

@@ -12,8 +12,8 @@ struct Trade {
     double wrongPercent = 0.0;
 };
 
-/// Which settings are on the Pareto front: no other is better in one and no worse in the other.
-/// Equal ones are all on it.
+/// Finds the settings on the Pareto front: no other setting is better in one respect and no worse
+/// in the other. Equal settings are all on it.
 std::vector<bool> paretoFront(std::span<const Trade> trades);
 
 /// A user's limits on a setting.

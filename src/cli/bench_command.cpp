@@ -19,10 +19,11 @@ namespace {
 struct BenchOptions : SceneOptions {
     std::string report;
     bool synthetic = false;
-    int frames = 0; ///< 0: defaultFrames, or SyntheticTask's
+    int frames = 0; ///< 0: defaultFrames, or the default of SyntheticTask
     int warmUp = 3;
-    std::vector<std::pair<int, int>> sizes; ///< of --sizes; else view's
-    std::vector<std::size_t> lightCounts;   ///< of --lights; none: the scene's or the call's
+    std::vector<std::pair<int, int>> sizes; ///< from --sizes; empty: the view's size
+    std::vector<std::size_t> lightCounts;   ///< from --lights; empty: the scene's lights or those
+                                            ///< typed
     bool lightMoves = false;
     double circle = bench::usualCircle;
     std::optional<gl::Timing> timing;
@@ -48,7 +49,7 @@ std::vector<std::pair<int, int>> sizesFrom(const std::string& text) {
     return sizes;
 }
 
-/// "1,4,16"; throws for others.
+/// Parses "1,4,16"; throws for anything else.
 std::vector<std::size_t> lightCountsFrom(const std::string& text) {
     std::vector<std::size_t> counts;
     std::istringstream parts(text);
@@ -66,7 +67,7 @@ std::vector<std::size_t> lightCountsFrom(const std::string& text) {
     return counts;
 }
 
-/// In place of what other verbs call so: numbers, too, of lights that are scattered.
+/// Replaces the --lights of other verbs with one that also takes numbers of scattered lights.
 void replaceLightsOption(CLI::App& verb, BenchOptions& options) {
     verb.remove_option(verb.get_option("--lights"));
     CLI::Option* lights =
@@ -109,13 +110,13 @@ void benchScene(const BenchOptions& options) {
     const auto sizes = options.sizes.empty()
                            ? std::vector{std::pair(options.view.width, options.view.height)}
                            : options.sizes;
-    std::set<std::string> fallbacks; // once a light, whatever the picture's size
+    std::set<std::string> fallbacks; // warn once per light, whatever the picture's size
     Countdown countdown;
     const auto counts =
         options.lightCounts.empty() ? std::vector<std::size_t>{0} : options.lightCounts;
     const std::size_t rounds = sizes.size() * counts.size();
     for (std::size_t s = 0; s < rounds; ++s) {
-        const std::size_t count = counts[s % counts.size()]; // 0: the scene's or the call's
+        const std::size_t count = counts[s % counts.size()]; // 0: the scene's lights or those typed
         ViewOptions view = options.view;
         std::tie(view.width, view.height) = sizes[s / counts.size()];
         bench::Task task;
@@ -173,7 +174,7 @@ void benchSynthetic(const BenchOptions& options) {
     writeReport(syntheticJson(measured, task.method), options.report);
 }
 
-/// A synthetic mesh has nothing to see, and nothing else can be asked of it.
+/// A synthetic mesh is never shown, so --synthetic takes no options for pictures.
 void bench(const BenchOptions& options, const CLI::App& verb) {
     if (options.synthetic == !options.input.empty())
         throw Error(ExitStatus::usage, options.synthetic ? "--synthetic takes no FILE."

@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int fewFrames = 10;
-constexpr double unsteady = 1.25; // times as long
+constexpr double unsteady = 1.25; // a factor of time
 
 const Choices<gl::Timing> timingNames = {{"query", gl::Timing::query},
                                          {"finish", gl::Timing::finish},
@@ -25,7 +25,7 @@ std::string sizeName(const bench::Task& task) {
     return std::to_string(task.width) + "x" + std::to_string(task.height);
 }
 
-/// Three digits that count, and no more than milliseconds need.
+/// Three significant digits, and no more decimals than milliseconds need.
 std::string milliseconds(double value) {
     std::ostringstream text;
     text << std::fixed << std::setprecision(value < 1.0 ? 3 : value < 10.0 ? 2 : 1) << value;
@@ -38,7 +38,7 @@ std::string fixed(double value, int digits) {
     return text.str();
 }
 
-/// Null where nothing is known.
+/// Null if unknown.
 Json fillJson(const std::optional<FillCost>& fill) {
     if (!fill) return nullptr;
     return {{"triangles", std::llround(fill->triangles)},

@@ -9,29 +9,30 @@
 
 namespace edgeshade::cli {
 
-/// A setting with the name that it has in reports.
+/// A setting with its name in reports.
 struct BenchSetting {
     std::string name;
     DrawSettings settings;
-    std::shared_ptr<const LoadedScene> scene; ///< with their casters; null: the call's own
+    std::shared_ptr<const LoadedScene> scene; ///< the scene with the setting's casters; null: the
+                                              ///< call's own
 };
 
-/// How the setting is measured.
+/// The setting as the benchmark takes it.
 bench::Setting toTask(const BenchSetting& setting);
 
-/// The flight that the program measures, or the camera that was typed, which stays where it is.
+/// The flight that the program measures, or the typed camera, which stays in place.
 std::function<Frustum(double)> flightFor(const ViewOptions& view, const Scene& scene);
 
-/// `--timing query|finish|processor`; nothing: the best.
+/// `--timing query|finish|processor`; null: the best available.
 void addTimingOption(CLI::App& verb, std::optional<gl::Timing>& timing);
 
-/// That figures of this device are those of a processor.
+/// A warning that figures of this device are those of a processor.
 std::string softwareWarning(const gl::Capabilities& device);
 
 /// "query", "finish" or "processor".
 const char* nameOf(gl::Timing timing);
 
-/// A bar that says how long it will take.
+/// A progress bar that estimates the remaining time.
 class Countdown {
   public:
     void show(double share, const std::string& doing);
@@ -41,31 +42,31 @@ class Countdown {
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// What `bench` says of what it measured: the contract's keys, and a table.
+/// The report of `bench`: the JSON keys of its contract, and a table.
 class BenchReport {
   public:
-    std::vector<std::string> warnings;                               ///< of loading
-    CasterSettings casters;                                          ///< of the call
+    std::vector<std::string> warnings;                               ///< from loading
+    CasterSettings casters;                                          ///< the call's casters
     nlohmann::ordered_json scene = nlohmann::ordered_json::object(); ///< sceneJson()
 
-    /// Adds what was measured at one size; `settings` in the order of the task's.
+    /// Adds the results for one size; `settings` in the order of the task's.
     void add(const bench::Task& task, const std::vector<BenchSetting>& settings,
              const bench::Report& measured);
 
-    /// What makes the figures say less than they seem to.
+    /// Warnings that limit what the figures say.
     const std::vector<std::string>& warningsOfMeasuring() const { return doubts_; }
 
     std::string table() const;
 
-    /// {device, size, frames, timing, light, light_count, lights_reaching, lights_shadowed,
-    /// settings, frame_ms, stage_ms, plan_ms, vertex_runs, bytes_gpu, bytes, repeated, warnings} of
-    /// a single result, else {results, ratios, warnings}.
+    /// The keys of a single result: {device, size, frames, timing, light, light_count,
+    /// lights_reaching, lights_shadowed, settings, frame_ms, stage_ms, plan_ms, vertex_runs,
+    /// bytes_gpu, bytes, repeated, warnings}; of several: {results, ratios, warnings}.
     nlohmann::ordered_json json() const;
 
   private:
     struct Row {
         std::string size;
-        std::size_t lights; ///< scattered; 0: the scene's or the call's
+        std::size_t lights; ///< scattered lights; 0: the scene's lights or those typed
         bench::Result result;
         bench::Ratios ratios; ///< the first row of that size over this one
         bool first;

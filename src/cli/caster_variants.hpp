@@ -9,19 +9,19 @@
 
 namespace edgeshade::cli {
 
-/// A call's scene with other casters, as settings that it compares ask for. Settings that mean the
-/// same casters share one.
+/// Variants of a call's scene with other casters, as the compared settings require. Settings with
+/// the same casters share a variant.
 class CasterVariants {
   public:
     /// `own`, read from `path`, must outlive this.
     CasterVariants(std::filesystem::path path, const LoadedScene& own)
         : path_(std::move(path)), own_(own) {}
 
-    /// Null where nothing changes. Throws InputError.
+    /// Returns null if nothing changes. Throws InputError.
     std::shared_ptr<const LoadedScene> with(const CasterChanges& changes);
 
-    /// The call's settings with those changes; a weld tolerance of 'auto' is chosen once. Throws
-    /// InputError.
+    /// The call's caster settings with those changes; chooses a weld tolerance of 'auto' once.
+    /// Throws InputError.
     CasterSettings settingsWith(const CasterChanges& changes);
 
   private:
@@ -29,10 +29,10 @@ class CasterVariants {
     const LoadedScene& own_;
     std::vector<std::shared_ptr<const LoadedScene>> others_;
     std::vector<std::pair<CasterSettings, CasterSettings>>
-        chosen_; ///< asked for, and with tolerance
+        chosen_; ///< as requested, and with the tolerance chosen
 };
 
-/// The settings as report keys, by the options' names.
+/// The settings as report keys, named like the options.
 nlohmann::ordered_json casterJson(const CasterSettings& settings);
 
 } // namespace edgeshade::cli

@@ -8,7 +8,7 @@
 
 namespace edgeshade::cli {
 
-/// The words that an option takes, in the order in which help and messages list them.
+/// The words that an option accepts, in the order of help and messages.
 template <class Value>
 using Choices = std::vector<std::pair<std::string, Value>>;
 
@@ -26,9 +26,9 @@ std::string wordsOf(const Choices<Value>& choices, const std::string& separator)
     return words;
 }
 
-/// Adds an option whose value is one of a few words, and nothing else: CLI11's own transformer
-/// takes the numbers behind them too. `value`, a Value or an optional one, must outlive parsing.
-/// `synonyms` are taken, too, but not listed.
+/// Adds an option that accepts only these words; CLI11's own transformer also accepts the numbers
+/// behind them. `value`, a Value or an optional one, must outlive parsing. `synonyms` are accepted
+/// but not listed.
 template <class Target, class Value = Target>
 void addChoice(CLI::App& verb, const std::string& option, Target& value,
                const std::vector<std::pair<std::string, Value>>& choices, const std::string& help,

@@ -4,7 +4,7 @@
 
 namespace edgeshade::cli {
 
-// Each adds a verb with its options; parsing the command line runs it. They throw Error.
+// Each function adds a verb with its options; parsing the command line runs it. Verbs throw Error.
 void addPackCommand(CLI::App& program);
 void addInfoCommand(CLI::App& program);
 void addRenderCommand(CLI::App& program);

@@ -24,7 +24,7 @@
 namespace edgeshade::cli {
 namespace {
 
-/// All views are one stage.
+/// The stage of progress; all views are one stage.
 std::string stageOf(const std::string& doing) {
     return doing.starts_with("view ") ? "comparing views" : doing;
 }
@@ -59,7 +59,7 @@ Json resultJson(const lab::CompareResult& result, DrawSettings settings,
     settings.render = result.settings;
     Json json = {{"name", result.name},
                  {"views", result.views},
-                 {"subpixel_bits", result.subpixelBits}}; // of the grid of device ties
+                 {"subpixel_bits", result.subpixelBits}}; // of the grid that decides device ties
     json.update(countsJson(result.counts));
     json["worst_view"] = views.empty() ? Json(nullptr) : Json(views[result.worstView].name);
     json["lights"] = methodsJson(result.lights);
@@ -87,7 +87,7 @@ Json sumsJson(const lab::WrongSums& sums) {
             {"largest_wrong_count", sums.largest}};
 }
 
-/// Warns once of each light that a primitive map was asked for by name and that got none.
+/// Warns once for each light that got no primitive map although the user requested one by name.
 template <typename Result>
 void warnOfFallbacks(const std::vector<Result>& results) {
     std::set<std::string> warned;
@@ -95,7 +95,7 @@ void warnOfFallbacks(const std::vector<Result>& results) {
         printNewWarnings(fallbackWarnings(result.settings.shadows, result.lights), warned);
 }
 
-/// Of lights with an extent: how many of their points reach a pixel is what is compared.
+/// Compares lights with an extent: how many of their points reach each pixel.
 void compareExtents(const CompareOptions& options, const LoadedScene& loaded,
                     const std::vector<DrawSettings>& settings, lab::CompareTask& task) {
     std::erase_if(task.views, [&](lab::LabView& view) {

@@ -16,7 +16,7 @@
 namespace edgeshade::cli {
 namespace {
 
-/// Names that --shadows takes; those in reports are `shadowNames`.
+/// Words that --shadows takes; `shadowNames` are those in reports.
 const Choices<ShadowMethod> shadowWords = {{"auto", ShadowMethod::automatic},
                                            {"volumes", ShadowMethod::volumes},
                                            {"lookup", ShadowMethod::primitiveMap},
@@ -56,7 +56,7 @@ std::string nameIn(const Choices<Value>& names, Value value) {
     return "auto";
 }
 
-/// What --filter would call it.
+/// The --filter word for these settings.
 FilterChoice filterOf(const ShadowMapSettings& map) {
     switch (map.filter) {
     case MapFilter::poisson:
@@ -75,7 +75,7 @@ FilterChoice filterOf(const ShadowMapSettings& map) {
                                          : FilterChoice::none;
 }
 
-/// Notes in `typed` that the option was, for resolve().
+/// Records in `typed` that the option was typed, for resolve().
 CLI::Option* noted(CLI::Option* option, std::vector<std::string>& typed) {
     return option->each(
         [&typed, name = option->get_name()](const std::string&) { typed.push_back(name); });
@@ -190,7 +190,7 @@ void addRivalOptions(CLI::App& verb, DrawSettings& settings) {
         ->type_name("N");
 }
 
-/// What brute force and planar shadows alone have.
+/// Resolves options that only brute force and planar shadows have.
 void resolveRivals(DrawSettings& settings) {
     const bool bruteForce = volumeLayoutOf(settings.render.multiplicity) == VolumeLayout::triangles;
     if (settings.count && !bruteForce)
@@ -205,14 +205,14 @@ void resolveRivals(DrawSettings& settings) {
         throw Error(ExitStatus::usage, settings.planarOptions.front() + " needs --shadows planar.");
 }
 
-/// The method that goes with a layout where nobody says.
+/// The default method for a layout.
 MultiplicityMethod methodFor(std::optional<VolumeLayout> layout) {
     if (layout == VolumeLayout::oppositeVertices) return MultiplicityMethod::referenceEdge;
     return layout == VolumeLayout::triangles ? MultiplicityMethod::triangle
                                              : MultiplicityMethod::plane;
 }
 
-/// The filter's part of ShadowMapSettings, and how wide it is where nobody has said.
+/// Sets the filter in ShadowMapSettings, and its default width if none was typed.
 void resolveFilter(DrawSettings& settings) {
     ShadowMapSettings& map = settings.render.map;
     if (!settings.filter) return;
@@ -230,7 +230,7 @@ void resolveFilter(DrawSettings& settings) {
     if (pcss)
         map.soft = SoftShadows::pcss;
     else if (map.soft == SoftShadows::pcss)
-        map.soft = SoftShadows::none; // of a setting on top of another
+        map.soft = SoftShadows::none; // left over from the base of a setting
     const bool one = choice == FilterChoice::none;
     if (!settings.typedOfMaps("--pcf"))
         map.pcf = one || pcss ? 1 : choice == FilterChoice::pcf ? 3 : 5;
@@ -407,7 +407,7 @@ DrawSettings settingsFrom(const DrawSettings& base, const std::string& text) {
     settings.extentOptions.clear();
     settings.planarOptions.clear();
     settings.typedShadowedLights = false;
-    // Either of the two that is typed here says what the other one is.
+    // Multiplicity or layout, whichever is typed here, decides the other.
     settings.multiplicity.reset();
     settings.layout.reset();
     settings.silhouette.reset();
@@ -426,7 +426,7 @@ DrawSettings settingsFrom(const DrawSettings& base, const std::string& text) {
         words.push_back("--" + part.substr(0, equals));
         words.push_back(part.substr(equals + 1));
     }
-    std::reverse(words.begin(), words.end()); // as CLI11 wants them
+    std::reverse(words.begin(), words.end()); // the order that CLI11 expects
     try {
         parser.parse(words);
     } catch (const CLI::ExtrasError& error) {

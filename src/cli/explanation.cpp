@@ -10,7 +10,7 @@
 namespace edgeshade::cli {
 namespace {
 
-/// Which lights are looked up in primitive maps, and why the others are not.
+/// Describes which lights are looked up in primitive maps, and why the others are not.
 std::string methodsOf(const Renderer& renderer, const GpuScene& scene, const FrameView& view) {
     std::string text;
     const std::vector<LightMethod> methods = lightMethods(scene, view, renderer);
@@ -30,7 +30,7 @@ std::string methodsOf(const Renderer& renderer, const GpuScene& scene, const Fra
     return text;
 }
 
-/// Which map each light has.
+/// Describes each light's map.
 std::string mapsOf(const Renderer& renderer, const GpuScene& scene, const FrameView& view) {
     std::string text = "shadow maps: every light draws all casters into each part of its map";
     const std::vector<LightMethod> methods = lightMethods(scene, view, renderer);
@@ -42,7 +42,7 @@ std::string mapsOf(const Renderer& renderer, const GpuScene& scene, const FrameV
     return text;
 }
 
-/// How each triangle's volume is counted, as it was planned.
+/// Describes how each triangle's volume is counted, from the plan.
 std::string bruteForceOf(const FramePlan& plan) {
     std::string text = "brute force: every triangle's volume by itself";
     for (std::size_t s = 0; s < plan.slices.size(); ++s)

@@ -4,7 +4,7 @@
 
 namespace edgeshade::cli {
 
-/// What `render --explain` says of the frame that the renderer has just drawn.
+/// The text of `render --explain` for the frame that the renderer has just drawn.
 std::string explanationOf(const Renderer& renderer, const GpuScene& scene, const FrameView& view);
 
 } // namespace edgeshade::cli

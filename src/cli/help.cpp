@@ -76,7 +76,7 @@ constexpr std::array everyday{
     Everyday{"--cast-masked", "MASK and BLEND surfaces cast shadows of whole triangles"},
 };
 
-/// What one verb's --help shows.
+/// The content of one verb's --help.
 struct VerbHelp {
     std::vector<std::string> options;
     std::string example;
@@ -227,7 +227,7 @@ class HelpText : public CLI::Formatter {
     }
 };
 
-/// Options that are gone, and what takes their place.
+/// Removed options, and their replacements.
 const std::map<std::string, std::string>& removed() {
     static const std::map<std::string, std::string> all{
         {"--volume-scissors", "volumes are counted wherever they may be seen"},
@@ -239,7 +239,8 @@ const std::map<std::string, std::string>& removed() {
     return all;
 }
 
-/// Letters to add, take out or change to make one word of the other (Levenshtein's distance).
+/// Number of letters to add, remove or change to turn one word into the other (Levenshtein's
+/// distance).
 std::size_t distanceBetween(const std::string& a, const std::string& b) {
     std::vector<std::size_t> row(b.size() + 1);
     for (std::size_t j = 0; j <= b.size(); ++j)

@@ -29,7 +29,7 @@ void info(const InfoOptions& options) {
         options.casters.wanted().value_or(header ? header->settings : CasterSettings());
     PackInput input = readForPacking(std::move(document), settings, true);
     input.report.readSeconds += readSeconds;
-    decodeImages(input.document, input.scene); // for what it says about them
+    decodeImages(input.document, input.scene); // for its warnings
     input.report.warnings = input.scene.warnings.sentences();
     printWarnings(input.report.warnings);
     std::string text = summaryOf(input.report);

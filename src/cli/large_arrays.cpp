@@ -1,5 +1,5 @@
-// Large arrays of this program lie in huge pages where the system has some: handing out 4 KB at a
-// time can take it longer than all that is done with a mesh of millions of triangles.
+// Places large arrays in huge pages, if the system has them. Providing 4 KB at a time can take the
+// system longer than all other work on a mesh of millions of triangles.
 #if defined(__linux__) && !defined(__SANITIZE_ADDRESS__)
 #include <cstddef>
 #include <cstdint>
@@ -16,7 +16,7 @@ void* allocateHuge(std::size_t size) {
     if (size > SIZE_MAX - hugePage) return nullptr;
     const std::size_t whole = (size + hugePage - 1) / hugePage * hugePage;
     void* const array = std::aligned_alloc(hugePage, whole);
-    if (array) madvise(array, whole, MADV_HUGEPAGE); // refused: its pages are small then
+    if (array) madvise(array, whole, MADV_HUGEPAGE); // if refused, its pages are small
     return array;
 }
 

@@ -12,7 +12,7 @@
 namespace edgeshade::cli {
 namespace {
 
-/// "#rrggbb", linear.
+/// Parses "#rrggbb"; the result is linear.
 glm::vec3 colorFrom(const std::string& text, const std::string& option) {
     const auto color = linearFromText(text);
     if (!color) throw CLI::ValidationError(option, "'" + text + "' is no colour #rrggbb");
@@ -27,7 +27,7 @@ double intensityFrom(const std::string& text, const std::string& option) {
     return intensity;
 }
 
-/// What stands between colons; the last part takes all that is left.
+/// The parts between colons; the last part takes the rest.
 std::vector<std::string> partsOf(const std::string& text, std::size_t most) {
     std::vector<std::string> parts;
     std::size_t start = 0;
@@ -82,7 +82,7 @@ void ExtentOptions::giveTo(std::vector<Light>& lights) const {
 
 namespace {
 
-/// "W,H", both above 0.
+/// Parses "W,H", both above 0.
 glm::dvec2 rectangleFrom(const std::string& text, const std::string& option) {
     const std::size_t comma = text.find(',');
     if (comma == std::string::npos)
@@ -149,7 +149,7 @@ void addExtentOptions(CLI::App& verb, ExtentOptions& extents) {
 } // namespace
 
 void addLightOptions(CLI::App& verb, LightOptions& options) {
-    // One callback an occurrence keeps points and suns in the order in which they were typed.
+    // One callback per occurrence keeps points and suns in the order in which they were typed.
     const auto addLights = [&](const std::string& name, double w, const std::string& help) {
         verb.add_option_function<std::vector<std::string>>(
                 name,
@@ -179,7 +179,7 @@ void addLightOptions(CLI::App& verb, LightOptions& options) {
               "from above (file)");
     for (const char* typed : {"--light", "--sun", "--place"})
         verb.get_option("--lights")->excludes(verb.get_option(typed));
-    // Not parsed before all lights are: theirs are.
+    // Parse after all lights: the range applies to them.
     verb.add_option_function<std::string>(
             "--light-range",
             [&](const std::string& text) {

@@ -9,18 +9,18 @@
 
 namespace edgeshade::cli {
 
-/// Whose lights a picture has where none were typed.
+/// The source of a picture's lights if none were typed.
 enum class LightChoice {
-    file,     ///< the file's; where it has none, as `fallback`
+    file,     ///< the file's; if it has none, as `fallback`
     fallback, ///< defaultLight()
 };
 
-/// `--light-radius` or `--light-size`, of point lights, and `--sun-angle`, of directional ones.
+/// `--light-radius` or `--light-size` for point lights, and `--sun-angle` for directional lights.
 struct ExtentOptions {
     std::optional<LightExtent> ofPoints, ofSuns;
 
     bool typed() const { return ofPoints || ofSuns; }
-    /// Throws Error(usage) where there is no light to give it to.
+    /// Throws Error(usage) if no light can have the extent.
     void giveTo(std::vector<Light>& lights) const;
 };
 
@@ -31,14 +31,14 @@ struct LightOptions {
     SunOptions sun;
     std::optional<LightChoice> choice;
 
-    /// Those, the sun by place and time before the others. Throws Error(usage) for too many.
+    /// The typed lights, preceded by the sun by place and time. Throws Error(usage) for too many.
     std::vector<Light> all() const;
 };
 
 /// Adds the options to a verb; `options` must outlive parsing.
 void addLightOptions(CLI::App& verb, LightOptions& options);
 
-/// "X,Y,Z[:COLOR[:INTENSITY]]". `w`: 1 of a point light, 0 of a directional light. Throws
+/// Parses "X,Y,Z[:COLOR[:INTENSITY]]". `w`: 1 for a point light, 0 for a directional light. Throws
 /// CLI::ValidationError that names the option.
 Light lightFrom(const std::string& text, const std::string& option, double w);
 

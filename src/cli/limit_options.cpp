@@ -7,7 +7,7 @@
 namespace edgeshade::cli {
 namespace {
 
-/// A whole number above 0, with K, M or G behind it for powers of 1024 where it counts bytes.
+/// Parses a whole number above 0. Numbers of bytes may end in K, M or G for powers of 1024.
 std::uint64_t limitFrom(const std::string& text, const std::string& option, bool isBytes) {
     std::uint64_t value = 0;
     const char* end = text.data() + text.size();

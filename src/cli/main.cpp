@@ -10,7 +10,7 @@ namespace {
 
 using edgeshade::ExitStatus;
 
-/// One line, whatever a file's texts hold.
+/// Prints one line, whatever characters a file's texts contain.
 int fail(std::string sentence, ExitStatus status) {
     for (char& c : sentence)
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
@@ -25,7 +25,8 @@ std::string verbsOf(const CLI::App& program) {
     return verbs;
 }
 
-/// The first word is a verb, unless it is an option; CLI11 would say only that one is missing.
+/// Throws if the first word is neither a verb nor an option; CLI11 would say only that one is
+/// missing.
 void requireKnownVerb(const CLI::App& program, int argc, char** argv) {
     const std::string word = argc > 1 ? argv[1] : "";
     if (word.starts_with('-')) return;
@@ -72,7 +73,7 @@ int run(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
-    // A file that passes the allowed size is an error of writing, no reason to die half way.
+    // A file that exceeds the allowed size is an error of writing, and must not kill the process.
     std::signal(SIGXFSZ, SIG_IGN);
     try {
         return run(argc, argv);

@@ -9,10 +9,11 @@
 
 namespace edgeshade::cli {
 
-/// A finite number that is the whole text. These throw CLI::ValidationError that names the option.
+/// Parses the whole text as a finite number. These functions throw CLI::ValidationError that names
+/// the option.
 double numberFrom(std::string_view text, const std::string& option);
 
-/// So many finite numbers with commas in between. `form`: what the text should be.
+/// Parses `count` finite numbers with commas in between. `form` describes the expected text.
 template <std::size_t count>
 std::array<double, count> numbersFrom(const std::string& text, const std::string& option,
                                       const std::string& form) {
@@ -28,7 +29,7 @@ std::array<double, count> numbersFrom(const std::string& text, const std::string
     return numbers;
 }
 
-/// "x,y,z".
+/// Parses "x,y,z".
 glm::dvec3 vectorFrom(const std::string& text, const std::string& option);
 
 } // namespace edgeshade::cli

@@ -18,7 +18,7 @@
 namespace edgeshade::cli {
 namespace {
 
-/// Column by column.
+/// Parses a matrix column by column.
 glm::dmat4 matrixFrom(const std::string& text, const std::string& option) {
     return glm::make_mat4(numbersFrom<16>(text, option, "16 numbers with commas").data());
 }

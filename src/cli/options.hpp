@@ -15,13 +15,13 @@
 
 namespace edgeshade::cli {
 
-/// `--size`, camera and lights, as typed; resolved against a scene's bounds by viewFor().
+/// `--size`, camera and lights, as typed; viewFor() resolves them against a scene's bounds.
 struct ViewOptions {
     int width = 1920;
     int height = 1080;
     std::optional<glm::dvec3> from;
     std::optional<glm::dvec3> to;
-    std::optional<glm::dmat4> cameraMatrix; ///< a rigid view matrix, in place of the two
+    std::optional<glm::dmat4> cameraMatrix; ///< a rigid view matrix, in place of `from` and `to`
     std::optional<std::string> camera;      ///< one of the file's, by name or index
     double fovDegrees = 45.0;
     std::optional<double> orthoHeight; ///< of an orthographic picture, in scene units
@@ -32,8 +32,7 @@ struct ViewOptions {
     bool hasCamera() const { return from || to || cameraMatrix || camera; }
 };
 
-/// `--weld-tolerance`, `--flat-tolerance`, `--caster-error` and `--instances`, where they were
-/// typed.
+/// `--weld-tolerance`, `--flat-tolerance`, `--caster-error` and `--instances`, if typed.
 struct CasterChanges {
     std::optional<double> weldTolerance, flatTolerance, casterError;
     bool autoWeld = false; ///< the weld tolerance is 'auto'
@@ -45,77 +44,78 @@ struct CasterChanges {
     CasterSettings on(CasterSettings settings) const;
 };
 
-/// These and `--cast-masked`.
+/// Caster changes and `--cast-masked`.
 struct CasterOptions {
     CasterChanges changes;
     bool castMasked = false;
 
     CasterSettings settings() const { return changes.on({0.0, castMasked}); }
-    /// Nothing if none of them was typed.
+    /// Null if none of them was typed.
     std::optional<CasterSettings> wanted() const {
         return changes.any() || castMasked ? std::optional(settings()) : std::nullopt;
     }
 };
 
-/// What every verb that draws a scene is told of it. `FILE` itself each adds in its own words.
+/// The options of every verb that draws a scene. Each verb adds `FILE` itself, with its own help
+/// text.
 struct SceneOptions {
     std::string input;
     ViewOptions view;
     CasterOptions casters;
     ReadingLimits limits;
     gl::Limits glLimits = gl::Limits::device;
-    std::string variant;                ///< of its materials; empty: the file's own
+    std::string variant;                ///< variant of the materials; empty: the file's own
     bool cutoutsCast = false;           ///< MASK surfaces cast by lookups
-    std::optional<bool> culls;          ///< Scene's, as typed; nothing: cullsByDefault
-    std::optional<double> time;         ///< of the animation, seconds; nothing: at rest
-    std::string animation;              ///< its name or index; empty: the first
-    std::optional<GroundChoice> ground; ///< as typed; nothing: what suits the verb
+    std::optional<bool> culls;          ///< Scene::culls, as typed; null: cullsByDefault
+    std::optional<double> time;         ///< time of the animation in seconds; null: at rest
+    std::string animation;              ///< the animation's name or index; empty: the first
+    std::optional<GroundChoice> ground; ///< as typed; null: the verb's default
 
     GroundChoice typedGround() const { return ground.value_or(std::nullopt); }
-    /// {"ground", "cast-cutouts", "cull", "time", "sun"}, the last two if they were typed: what
-    /// reports say besides of the settings. `scene`: as it was loaded.
+    /// {"ground", "cast-cutouts", "cull", "time", "sun"}, the last two if they were typed: report
+    /// keys in addition to the settings. `scene`: as loaded.
     nlohmann::ordered_json sceneJson(const Scene& scene) const;
-    /// At the time and with the ground that were typed; warns where there is no animation, and
-    /// where `shadows` leave out what was asked to cast. `oppositeVertices`: some of its volumes
-    /// are drawn from such records. Throws Error(usage) where these were typed with '--cull auto';
-    /// InputError.
+    /// Loads the scene with the typed time and ground. Warns if there is no animation, or if
+    /// `shadows` omit casters that the user requested. `oppositeVertices`: some volumes are drawn
+    /// from opposite-vertex records or single triangles. Throws Error(usage) if these were typed
+    /// with '--cull auto'; InputError.
     LoadedScene load(Shading shading, ShadowMethod shadows, bool oppositeVertices) const;
 };
 
-/// "WxH", both 1 to 65536. Throws CLI::ValidationError that names the option.
+/// Parses "WxH", both 1 to 65536. Throws CLI::ValidationError that names the option.
 std::pair<int, int> sizeFrom(const std::string& text, const std::string& option);
 
-/// Refuses NaN and infinity, which CLI::Range lets through.
+/// Rejects NaN and infinity, which CLI::Range accepts.
 CLI::Validator finite();
 
-/// Adds the options to a verb; `options` must outlive parsing.
+/// Each adds options to a verb; `options` must outlive parsing.
 void addCasterOptions(CLI::App& verb, CasterOptions& options);
 void addCasterChanges(CLI::App& verb, CasterChanges& changes);
 void addReportOption(CLI::App& verb, std::string& path);
 void addSamplesOption(CLI::App& verb, int& samples);
 void addSceneOptions(CLI::App& verb, SceneOptions& options);
-/// All but lights.
+/// All except lights.
 void addUnlitSceneOptions(CLI::App& verb, SceneOptions& options);
 
 /// The words of `--cull`.
 inline const Choices<bool> cullNames = {{"auto", true}, {"off", false}};
 
-/// The word that the option has for them.
+/// The option's word for these limits.
 std::string glLimitsName(gl::Limits limits);
 
-/// The camera of --camera-from and --camera-to, which frames the scene where they were not typed.
-/// Throws Error(usage) for one without a direction.
+/// The camera of --camera-from and --camera-to, which frames the scene if they were not typed.
+/// Throws Error(usage) if it has no direction.
 Camera cameraFor(const ViewOptions& options, const Scene& scene);
 
-/// The file's camera that was typed; null if none was. Throws Error(usage) that lists those there
-/// are for an unknown one.
+/// The typed camera of the file; null if none was typed. For an unknown camera throws Error(usage)
+/// that lists the file's cameras.
 const SceneCamera* fileCameraFor(const ViewOptions& options, const Scene& scene);
 
-/// The lights that were typed, the file's, or the default light.
+/// The typed lights, the file's, or the default light.
 std::vector<Light> lightsFor(const LightOptions& options, const Scene& scene);
 
-/// The request, with that camera, the file's or the matrix that was typed, and at least one light.
-/// Throws Error(usage) for what does not go together.
+/// The request, with the camera of cameraFor(), the file's or the typed matrix, and with at least
+/// one light. Throws Error(usage) for options that don't go together.
 FrameRequest requestFor(const ViewOptions& options, const Scene& scene);
 
 } // namespace edgeshade::cli

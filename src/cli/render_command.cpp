@@ -39,7 +39,7 @@ struct RenderOptions : SceneOptions {
     bool shadeSamples = false;
 };
 
-/// Pixels of a mask: surface, and surface that some light reaches.
+/// Numbers of pixels of a mask that show a surface, and a surface that some light reaches.
 std::pair<std::size_t, std::size_t> countMask(const std::vector<std::uint8_t>& rgba) {
     std::size_t visible = 0, lit = 0;
     for (std::size_t i = 0; i < rgba.size(); i += 4) {
@@ -53,7 +53,7 @@ nlohmann::ordered_json vectorJson(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
 }
 
-/// What the picture was seen by: as typed, and as it became.
+/// The picture's camera: as typed, and as resolved.
 nlohmann::ordered_json cameraJson(const ViewOptions& options, const Scene& scene,
                                   const FrameView& view) {
     nlohmann::ordered_json camera;
@@ -87,7 +87,7 @@ nlohmann::ordered_json cameraJson(const ViewOptions& options, const Scene& scene
     return camera;
 }
 
-/// Depth slices from near to far, and how many groups of casters each light needs.
+/// Depth slices from near to far, and the number of groups of casters for each light.
 nlohmann::ordered_json planJson(const FrameView& view) {
     nlohmann::ordered_json slices = nlohmann::ordered_json::array();
     for (auto slice = view.slices.rbegin(); slice != view.slices.rend(); ++slice)
@@ -98,7 +98,7 @@ nlohmann::ordered_json planJson(const FrameView& view) {
     return {{"slice_near_planes", slices}, {"caster_groups", groups}};
 }
 
-/// What the picture may lack.
+/// Warnings about shadows that the picture may lack.
 std::vector<std::string> warningsOf(const FrameView& view) {
     std::vector<std::string> warnings;
     for (std::size_t i = 0; i < view.lights.size(); ++i)
@@ -127,7 +127,7 @@ nlohmann::ordered_json pointsJson(const std::vector<Light>& points) {
     return json;
 }
 
-/// The points of the first light that has an extent.
+/// The points of the first light with an extent.
 nlohmann::ordered_json lightSamplesJson(const FrameView& view) {
     for (const FrameLight& of : view.lights)
         if (!of.points.empty()) return pointsJson(of.points);

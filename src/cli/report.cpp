@@ -9,7 +9,7 @@
 namespace edgeshade::cli {
 namespace {
 
-/// A full disk or a closed pipe behind standard output is no success.
+/// Throws if standard output can't be written, for example on a full disk or to a closed pipe.
 void writeToStandardOutput(const std::string& text) {
     if (!(std::cout << text << std::flush))
         throw Error(ExitStatus::output, "Standard output can't be written.");

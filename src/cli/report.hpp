@@ -11,18 +11,18 @@ namespace edgeshade::cli {
 /// Error(output).
 void writeReport(const nlohmann::ordered_json& report, const std::string& path);
 
-/// A line for people, on standard output unless the report goes there. Throws Error(output).
+/// Prints a line for people on standard output, unless the report goes there. Throws Error(output).
 void printResult(const std::string& text, const std::string& reportPath);
 
-/// Warnings, a line each, on standard error.
+/// Prints warnings on standard error, one per line.
 void printWarnings(const std::vector<std::string>& warnings);
 
-/// The same of those that are not in `printed`, where they are from then on.
+/// As above, for warnings that are not yet in `printed`; adds them to it.
 void printNewWarnings(const std::vector<std::string>& warnings, std::set<std::string>& printed);
 
-/// A bar on standard error where that is a terminal. Its line ends with a share of 1, or when the
-/// work ends before, so that an error's message has a line of its own. In a log each stage of the
-/// work has one line, when it begins.
+/// A progress bar on standard error, if that is a terminal. Its line ends at a share of 1, or when
+/// the work ends early, so that an error's message has its own line. In a log, each stage of the
+/// work prints one line when it begins.
 class ProgressBar {
   public:
     ProgressBar();
@@ -30,19 +30,19 @@ class ProgressBar {
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
-    /// Draws over the last call's. `doing`: what is being done; `stage`: of what that is a part,
-    /// what stands before the first comma if it is empty.
+    /// Redraws the bar. `doing`: the current work; `stage`: the stage that it is part of, if empty
+    /// the part of `doing` before the first comma.
     void show(double share, const std::string& doing, const std::string& stage = {});
 
   private:
     void log(double share, const std::string& stage);
 
-    const bool drawn_;   ///< else a log gets lines
+    const bool drawn_;   ///< otherwise prints lines for a log
     bool open_ = false;  ///< its line has not ended
     std::string logged_; ///< the last stage
 };
 
-/// A line about progress, on standard error.
+/// Prints a line about progress on standard error.
 void printProgress(const std::string& text);
 
 } // namespace edgeshade::cli

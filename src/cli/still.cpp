@@ -11,10 +11,10 @@
 namespace edgeshade::cli {
 namespace {
 
-/// Lights that can be added up in half floats before they show their steps.
+/// Number of lights that half floats can add up without visible steps.
 constexpr std::size_t mostShading = 256;
 
-/// The share `part` is of `whole`, as a byte; exact to recover for up to 255.
+/// `part` of `whole` as a byte. Up to a whole of 255, `part` can be recovered exactly.
 std::uint8_t byteOf(std::uint64_t part, std::uint64_t whole) {
     return static_cast<std::uint8_t>((510 * part + whole) / (2 * whole));
 }
@@ -37,7 +37,7 @@ class Sitting {
                             std::to_string(PictureSum::most) + " that can be added up.");
         LitCounter counter(context_.capabilities());
         counter.begin(first.width, first.height);
-        constexpr std::size_t atOnce = 240; // between two looks at the progress
+        constexpr std::size_t atOnce = 240; // points between two calls of `progress`
         forEachPicture(first, [&](const FrameView& view, double done, double share) {
             for (std::size_t from = 0; from < each;) {
                 const std::size_t count = std::min(each - from, atOnce);
@@ -170,7 +170,7 @@ std::vector<std::uint8_t> drawStill(const LoadedScene& loaded, const StillTask& 
                                     const std::function<void(double)>& progress) {
     if (task.shadeSamples) requireSums(first, renderer, context.capabilities());
     Sitting sitting(loaded, task, renderer, scene, context, progress);
-    // A soft map's mask is a picture already.
+    // A soft map's mask needs no sum: it is already grey.
     const bool sums = isGrey(task) && renderer.settings().countedPoints() > 0;
     return sums ? sitting.mask(first) : sitting.picture(first);
 }

@@ -11,29 +11,29 @@
 
 namespace edgeshade::cli {
 
-/// A picture, drawn at leisure.
+/// A single picture, for which time does not matter.
 struct StillTask {
     FrameRequest request;
-    std::size_t subpixels = 1; ///< pictures that are averaged, see subpixelOffset()
-    bool mask = false;         ///< the first light's: 255 * what of it is seen, rounded
-    bool shadeSamples = false; ///< lights with an extent shade by each point
+    std::size_t subpixels = 1; ///< number of pictures to average, see subpixelOffset()
+    bool mask = false;         ///< the first light's mask: 255 times its visible share, rounded
+    bool shadeSamples = false; ///< each point of a light with an extent shades by itself
     bool firstIsDown = false;  ///< the first light shines on nothing
     std::optional<std::size_t> shadowedLights{}; ///< see chooseLights()
-    /// Once the scene is prepared for the first picture, before that is drawn; null: nothing.
+    /// Called once the scene is prepared for the first picture, before drawing; may be null.
     std::function<void()> prepared{};
 };
 
-/// Whether a mask is more than lit or not.
+/// Whether a mask can have values between lit and shadowed.
 bool isGrey(const StillTask& task);
 
-/// What frame the task's n-th picture is. `like`: of another one, whose layers are the same; null:
-/// none, and its layers are left to boundCountedLayers().
+/// The frame of the task's n-th picture. `like`: another picture's frame, whose layers it takes;
+/// null: it leaves its layers to boundCountedLayers().
 FrameView viewOf(const LoadedScene& loaded, const StillTask& task, std::size_t n,
                  const FrameView* like = nullptr);
 
-/// Draws it: RGBA, rows top to bottom. `first`: viewOf() of 0. The last picture is `renderer`'s.
-/// `progress` gets the share done. Throws Error(usage) for more masks than can be added up, and
-/// Error(unavailable) where lights can't be.
+/// Draws the task: RGBA, rows top to bottom. `first`: viewOf() of picture 0. Afterwards `renderer`
+/// has the plan of the last picture. `progress` receives the share done. Throws Error(usage) for
+/// more masks than can be added up, and Error(unavailable) if the GL can't add up lights.
 std::vector<std::uint8_t> drawStill(const LoadedScene& loaded, const StillTask& task,
                                     const FrameView& first, Renderer& renderer, GpuScene& scene,
                                     const gl::HeadlessContext& context,

@@ -9,7 +9,7 @@
 namespace edgeshade::cli {
 namespace {
 
-/// A count with thousands apart: 1,234,567.
+/// A count with separators: 1,234,567.
 std::string grouped(std::size_t value) {
     std::string digits = std::to_string(value);
     for (std::size_t at = digits.size(); at > 3; at -= 3)

@@ -9,8 +9,7 @@ namespace edgeshade::cli {
 /// The report's figures in a few lines for people.
 std::string summaryOf(const PackReport& report);
 
-/// What of the scene can be chosen, a line each, every one after a newline: variants and cameras;
-/// and the lights.
+/// The scene's variants, cameras and lights, one per line, each after a newline.
 std::string choicesOf(const PackReport& report);
 
 } // namespace edgeshade::cli

@@ -29,7 +29,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What of the bar each stage takes.
+/// Shares of the progress bar at which stages begin.
 constexpr double surfacesFrom = 0.85, probesFrom = 0.95;
 
 Json cameraJson(const Frustum& frustum) {
@@ -42,7 +42,7 @@ Json cameraJson(const Frustum& frustum) {
     return camera;
 }
 
-/// Of all triangles and where they are, 64-bit FNV-1a, 16 digits.
+/// A hash of all triangles and their positions: 64-bit FNV-1a, 16 digits.
 std::string hashOf(const Scene& scene) {
     std::uint64_t hash = 0xCBF29CE484222325;
     const auto add = [&hash](const auto& values) {
@@ -99,7 +99,7 @@ LitCounts countLit(const SunHoursOptions& options, const LoadedScene& loaded,
         });
 }
 
-/// What pixels show, by area, material and node, into the part.
+/// Adds the visible surfaces to the part, by area, material and node.
 void addSurfaces(const LoadedScene& loaded, const FrameRequest& request,
                  const lab::AlphaLookup& alpha, hours::Part& part, ProgressBar& bar) {
     const FrameView view = makeFrameView(loaded.scene, request, worldBounds(loaded.scene));

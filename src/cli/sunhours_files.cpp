@@ -85,7 +85,7 @@ void writeSunHours(const hours::Part& whole, const std::string& source,
     const std::filesystem::path path(source);
     const hours::HoursSettings settings =
         hours::hoursSettings(JsonField(path, whole.settings, "settings"));
-    // All is made before anything is written.
+    // Make everything before writing anything.
     const nlohmann::ordered_json report = hours::reportOf(whole, settings);
     const Bytes picture = pictureOf(whole, settings);
     const Bytes counts = files.counts.empty() ? Bytes() : countsOf(whole.exposure);

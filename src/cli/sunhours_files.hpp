@@ -5,9 +5,9 @@
 
 namespace edgeshade::cli {
 
-/// Writes the picture, and counts and report where they are asked for, of a whole run, and prints
-/// a line on it. The same part, the same bytes. Throws Error(output), and InputError where the
-/// part's settings, which a file had, are broken.
+/// Writes the picture of a whole run, and counts and report if requested, and prints a line about
+/// it. The same part gives the same bytes. Throws Error(output), and InputError if the settings in
+/// the part's file are invalid.
 void writeSunHours(const hours::Part& whole, const std::string& source, const SunHoursFiles& files);
 
 } // namespace edgeshade::cli

@@ -20,7 +20,7 @@ std::string presetWords() {
     return words;
 }
 
-/// "9" or "9:30", minutes since 0:00; nothing where it is neither.
+/// Parses "9" or "9:30" as minutes since 0:00; null if it is neither.
 std::optional<minutes> clockFrom(std::string_view text) {
     int hour = 0, minute = 0;
     const char* const end = text.data() + text.size();

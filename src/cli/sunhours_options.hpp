@@ -12,32 +12,32 @@
 
 namespace edgeshade::cli {
 
-/// The files that hours of sun become.
+/// The output files for hours of sunlight.
 struct SunHoursFiles {
     std::string picture; ///< .png
     std::string counts;  ///< .png; empty: none
     std::string report;  ///< empty: none
 };
 
-/// `sunhours`, as typed.
+/// Options of `sunhours`, as typed.
 struct SunHoursOptions : SceneOptions {
-    SunHoursFiles files; ///< of a part, `picture` is the part's file
+    SunHoursFiles files; ///< for a part, `picture` is the part's file
     std::optional<sun::Place> place;
     std::optional<std::chrono::sys_days> date, from, to;
     std::optional<std::chrono::minutes> offset;
-    hours::Schedule typed; ///< of it step, hours, least altitude and north
+    hours::Schedule typed; ///< holds only step, hours, least altitude and north
     bool plan = false;
-    std::optional<double> threshold; ///< hours a day
+    std::optional<double> threshold; ///< hours per day
     const hours::Preset* preset = nullptr;
     std::vector<hours::ProbePoint> probes;
     std::optional<std::pair<std::size_t, std::size_t>> part; ///< K of N
 
-    /// Throws Error(usage) where no date was typed, and for what does not go together.
+    /// Throws Error(usage) if no date was typed, and for options that don't go together.
     hours::Schedule schedule() const;
     std::optional<double> hoursWanted() const;
-    /// What --preset has against the days; empty: nothing.
+    /// Warning if --preset does not suit the dates; empty: none.
     std::string dateWarning() const;
-    /// All that reports and merging need of it. `schedule`: its own. `scene`: as it was loaded.
+    /// The settings that reports and merging need. `schedule`: from schedule(). `scene`: as loaded.
     nlohmann::ordered_json settingsJson(const hours::Schedule& schedule, const Scene& scene) const;
 };
 

@@ -27,8 +27,8 @@ std::string limitsOf(const TradeoffOptions& options) {
     return text.str();
 }
 
-/// The row to take, by what other frames and views are unlikely to exceed; null where none is
-/// within the limits, or none was asked for.
+/// Chooses a row by bounds that other frames and views are unlikely to exceed; null if no row is
+/// within the limits, or there are no limits.
 const TradeRow* rowToTake(const TradeoffOptions& options, const std::vector<TradeRow>& rows) {
     if (!options.budgetMs && !options.maxWrongPercent) return nullptr;
     std::vector<const TradeRow*> left;

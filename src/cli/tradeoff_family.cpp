@@ -20,7 +20,7 @@ Words wordsOf(const std::string& text) {
     return words;
 }
 
-/// What the setting says of it; `otherwise` where it says nothing.
+/// The setting's value for `name`; `otherwise` if it has none.
 std::string said(const Words& words, const std::string& name, const std::string& otherwise) {
     const auto found = words.find(name);
     return found == words.end() ? otherwise : found->second;

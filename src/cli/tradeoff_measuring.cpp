@@ -12,9 +12,9 @@
 namespace edgeshade::cli {
 namespace {
 
-constexpr double tuningEnd = 0.4; // of the time: then biases are as tuned as they are
+constexpr double tuningEnd = 0.4; // share of the time at which tuning of biases ends
 
-/// Times frames and counts errors, in one context at a time: either has maps of gigabytes.
+/// Times frames and counts errors, one context at a time: each holds gigabytes of maps.
 class RowMeasurer : public bench::Measurer {
   public:
     RowMeasurer(const TradeoffOptions& options, const LoadedScene& loaded,

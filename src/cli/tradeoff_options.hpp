@@ -5,7 +5,7 @@
 
 namespace edgeshade::cli {
 
-/// `tradeoff` as typed.
+/// Options of `tradeoff`, as typed.
 struct TradeoffOptions : SceneOptions {
     std::string report;
     std::string plot;

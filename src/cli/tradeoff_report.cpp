@@ -79,7 +79,7 @@ nlohmann::ordered_json rowJson(const TradeRow& row, const std::vector<TradeRow>&
 void requirePlottable(const std::string& path) {
     if (path.empty()) return;
     const std::string ending = endingOf(path);
-    if (ending == ".png") plot::pngCanvas(1, 1); // says so now where it can't
+    if (ending == ".png") plot::pngCanvas(1, 1); // fail early if PNG can't be written
     if (ending != ".png" && ending != ".svg")
         throw Error(ExitStatus::usage, "--plot: '" + path + "' ends neither in .svg nor in .png.");
 }

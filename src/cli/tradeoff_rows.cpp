@@ -9,7 +9,7 @@
 namespace edgeshade::cli {
 namespace {
 
-/// What the call says of the scene besides casters, for pasting.
+/// The call's scene options except casters, for pasting.
 std::string sceneOptionsOf(const TradeoffOptions& options) {
     using Json = nlohmann::ordered_json;
     return (options.cutoutsCast ? std::string(" --cast-cutouts") : std::string()) +

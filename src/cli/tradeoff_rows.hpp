@@ -8,24 +8,25 @@
 
 namespace edgeshade::cli {
 
-/// A setting with what it costs and what it gets wrong.
+/// A setting with its cost and its errors.
 struct TradeRow {
-    TradeSetting setting; ///< with the bias that was tuned
+    TradeSetting setting; ///< with the tuned bias
     DrawSettings settings;
-    std::shared_ptr<const LoadedScene> scene; ///< with their casters; null: the call's own
+    std::shared_ptr<const LoadedScene> scene; ///< the scene with the setting's casters; null: the
+                                              ///< call's own
     CasterSettings casters;
-    std::string callsOptions; ///< of the call's casters, as far as the setting leaves them
-    std::size_t bytes = 0;    ///< on the GPU, of shadows alone
+    std::string callsOptions; ///< the call's caster options that the setting doesn't change
+    std::size_t bytes = 0;    ///< on the GPU, for shadows alone
     bench::Standing standing;
     bench::Estimate estimate;
     bool pareto = false;
 
     bool isDropped() const { return standing.dominator.has_value(); }
-    /// What draws like it, as any verb takes it.
+    /// Options that draw the same with any verb.
     std::string options() const { return asOptions(setting.text) + callsOptions; }
 };
 
-/// The settings that this GL can draw, not yet measured; what it can't is left out with a warning.
+/// The settings that this GL can draw, not yet measured; adds a warning for each that it can't.
 std::vector<TradeRow> possibleRows(const TradeoffOptions& options, const LoadedScene& loaded,
                                    std::vector<std::string>& warnings);
 

@@ -9,14 +9,14 @@ namespace edgeshade::cli {
 
 namespace {
 
-/// Three digits that count, as options take them.
+/// Three significant digits, in the form that options take.
 std::string shortNumber(double value) {
     std::ostringstream text;
     text << std::setprecision(3) << value;
     return text.str();
 }
 
-/// Coarser casters: what they are, by shares of the scene's diagonal and by degrees.
+/// Adds coarser casters, with errors as shares of the scene's diagonal and in degrees.
 void addCasters(std::vector<TradeSetting>& settings, double diagonal) {
     if (diagonal > 0.0) {
         for (const double percent : {0.05, 0.2, 1.0})
@@ -31,7 +31,7 @@ void addCasters(std::vector<TradeSetting>& settings, double diagonal) {
                             "shadows=volumes,flat-tolerance=" + shortNumber(degrees)});
 }
 
-/// Maps of other kinds and with other filters, coarse and fine.
+/// Adds maps of other kinds and with other filters, coarse and fine.
 void addMapKinds(std::vector<TradeSetting>& settings, int largestMap,
                  std::span<const Light> lights) {
     const auto isSun = [](const Light& light) { return light.position.w == 0.0; };
@@ -51,7 +51,7 @@ void addMapKinds(std::vector<TradeSetting>& settings, int largestMap,
     }
 }
 
-/// Shadows for the lights alone that matter most, of lights that are more than a few.
+/// Adds shadows for only the most important lights, if there are more than a few.
 void addShadowedLights(std::vector<TradeSetting>& settings, std::size_t lights) {
     constexpr std::size_t few = 4;
     for (std::size_t most = 1; lights > few && most < lights; most *= 4) {

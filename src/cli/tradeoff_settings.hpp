@@ -10,10 +10,10 @@ struct TradeSetting {
     std::string text; ///< as `--against` takes it
 };
 
-/// The settings that there are to choose from: what users turn when they trade time for accuracy.
-/// One more setting is one more entry. `largestMap`: texels; larger maps are left out. `diagonal`:
-/// of the scene, scene units. `lights`: what is timed; kinds of maps that none of them gets are
-/// left out.
+/// The settings to choose from: those that users change to trade time for accuracy. Another setting
+/// is another entry. `largestMap`: texels; larger maps are left out. `diagonal`: of the scene, in
+/// scene units. `lights`: those that are timed; kinds of maps that none of them can have are left
+/// out.
 std::vector<TradeSetting> tradeSettings(int largestMap, double diagonal,
                                         std::span<const Light> lights);
 

@@ -31,7 +31,7 @@ struct WindowOptions : SceneOptions {
     int sunHoursStep = viewer::ViewState().sunHoursStep;
 };
 
-/// Upright, so that one can go on from there: a roll is left out.
+/// An upright camera, from which the user can go on: it drops any roll.
 Camera cameraOfMatrix(const ViewOptions& options, const Scene& scene) {
     SceneCamera camera;
     camera.worldFromCamera = glm::inverse(*options.cameraMatrix);
@@ -39,7 +39,7 @@ Camera cameraOfMatrix(const ViewOptions& options, const Scene& scene) {
     return uprightCamera(camera, worldBounds(scene));
 }
 
-/// Places the scene as typed; which of its animations that is, as the state counts them.
+/// Places the scene as typed. Returns the index of its animation in the view's state.
 std::optional<std::size_t> placeAsTyped(const WindowOptions& options, LoadedScene& loaded) {
     if (!options.time && options.animation.empty()) return std::nullopt;
     const std::size_t known = loaded.scene.warnings.sentences().size();
@@ -52,7 +52,7 @@ std::optional<std::size_t> placeAsTyped(const WindowOptions& options, LoadedScen
     return static_cast<std::size_t>(found - titles.data());
 }
 
-/// Camera, lights and the left side as typed.
+/// The view's state: camera, lights and the left side, as typed.
 Json stateFrom(const WindowOptions& options, const Scene& scene,
                const std::optional<std::size_t>& animation) {
     const FrameRequest request = requestFor(options.view, scene);
@@ -118,7 +118,7 @@ void view(const WindowOptions& options) {
     Json state;
     if (!options.input.empty()) {
         loaded = load(options.input, options.variant);
-        // Cameras and lights are taken from where they will be.
+        // Place the scene first: its cameras and lights move with it.
         const auto animation = placeAsTyped(options, *loaded);
         state = stateFrom(options, loaded->scene, animation);
     }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t lightsOfAPart = 64;
 
-/// Of the first `lights` lights, the number from this part's first light on.
+/// Number of lights, among the first `lights`, from this part's first light on.
 std::size_t countingOf(std::size_t part, std::size_t lights) {
     const std::size_t first = part * lightsOfAPart;
     return lights <= first ? 0 : lights - first;

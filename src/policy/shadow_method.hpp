@@ -2,12 +2,12 @@
 
 namespace edgeshade {
 
-/// What a user asks all shadows to be made by.
+/// The method that a user requests for all shadows.
 enum class ShadowMethod {
     volumes,
-    primitiveMap, ///< and volumes for lights that have none
-    automatic,    ///< whatever ShadowPolicy finds cheapest, light by light
-    /// An IrregularZBuffer: the processor asks of each visible point whether it is in shadow.
+    primitiveMap, ///< volumes for lights without a primitive map
+    automatic,    ///< the method that ShadowPolicy expects to be cheapest for each light
+    /// IrregularZBuffer: the processor tests each visible point for shadow.
     irregularZBuffer,
     map,
     planar, ///< projected onto the scene's largest planes, and nowhere else

@@ -19,7 +19,7 @@ bool canAskPoints(const DeviceFacts& device) {
     return device.isSoftware && device.samples <= 1 && device.hasDepthOfItsOwn;
 }
 
-/// Points are asked in place of volumes, where neither is asked for by name.
+/// Whether points replace volumes when the user requested neither by name.
 bool pointsPay(const PolicySettings& settings, const DeviceFacts& device, const SceneFacts& scene) {
     return settings.asked == ShadowMethod::automatic && settings.planePairs &&
            settings.maskScale == 1 && canAskPoints(device) &&
@@ -30,7 +30,7 @@ bool asks(const Facts& of, ShadowMethod method) {
     return of.settings.asked == method;
 }
 
-/// One row of the table: the first that applies decides.
+/// A row of the table; the first row that applies decides.
 struct Rule {
     const char* name;
     bool (*applies)(const Facts&);
@@ -85,14 +85,14 @@ const Rule& ruleFor(const Facts& facts) {
                          [&](const Rule& of) { return of.applies(facts); });
 }
 
-/// Why casters or light can't be in a lookup.
+/// A reason why casters or a light can't have a lookup.
 struct Obstacle {
     bool (*applies)(const Facts&);
     const char* why;
 };
 
 constexpr int unitsForCutouts = 6;
-constexpr int uniformsForExtent = 64; ///< vectors; a light's places take 17
+constexpr int uniformsForExtent = 64; ///< vectors; a light's points take 17
 
 constexpr std::array obstacles{
     Obstacle{[](const Facts& of) { return !of.device.floatTables; }, "the GL looks up no floats"},
@@ -105,7 +105,7 @@ constexpr std::array obstacles{
     Obstacle{[](const Facts& of) { return of.scene.alphaTested; }, "some casters are alpha-tested"},
 };
 
-/// Further ones of a light that has an extent, which one lookup holds all of.
+/// Further obstacles for a light with an extent, since one lookup holds the whole light.
 constexpr std::array obstaclesOfExtents{
     Obstacle{[](const Facts& of) { return of.device.fragmentUniformVectors < uniformsForExtent; },
              "the GL has too few uniforms for a light's places"},
@@ -125,8 +125,9 @@ std::string firstOf(const std::array<Obstacle, N>& all, const Facts& facts) {
     return found == all.end() ? "" : found->why;
 }
 
-/// Whether lookups are built only where they cost less than volumes. Where see-through surfaces
-/// receive shadows beside what is built, only a lookup can give them any.
+/// Whether lookups are built only where they cost less than volumes. If see-through surfaces
+/// receive shadows while lookups are built in the background, every lookup is built: only lookups
+/// can shade such surfaces.
 bool onlyWhatPays(const PolicySettings& settings) {
     return settings.asked == ShadowMethod::automatic &&
            !(settings.inBackground && settings.seeThroughReceives);

@@ -9,21 +9,21 @@
 
 namespace edgeshade {
 
-/// What makes one light's shadows in one frame.
+/// The technique that makes one light's shadows in one frame.
 enum class Technique { none, volumes, lookup, points, map, planar };
 
-/// The word for a technique in reports.
+/// The name of a technique in reports.
 const char* wordFor(Technique technique);
 
-/// What is asked for.
+/// The requested settings.
 struct PolicySettings {
     ShadowMethod asked = ShadowMethod::volumes;
     bool planePairs = true; ///< volumes are drawn from plane-pair records
-    int maskScale = 1;      ///< volumes are counted once for so many by so many pixels
-    /// See-through surfaces are shown, which volumes can't give shadows: lights that reach them are
-    /// looked up there.
+    int maskScale = 1;      ///< n: volumes are counted once for each n by n pixels
+    /// See-through surfaces are shown. Volumes can't shade them, so lights that reach them get
+    /// lookups for these surfaces.
     bool seeThroughReceives = false;
-    /// Lookups are built beside drawing; else a picture waits for them.
+    /// Lookups are built while drawing goes on; otherwise a picture waits for them.
     bool inBackground = false;
 
     bool asksForLookups() const {
@@ -35,71 +35,73 @@ struct PolicySettings {
     }
 };
 
-/// What the GL can do.
+/// Capabilities of the GL.
 struct DeviceFacts {
-    bool floatTables = false; ///< shaders look up tables of floats of 32 bits
+    bool floatTables = false; ///< shaders can sample tables of 32-bit floats
     int textureUnits = 0;     ///< of fragment shaders
     int fragmentUniformVectors = 0;
     bool isSoftware = false;       ///< the processor draws
-    bool hasDepthOfItsOwn = false; ///< framebuffers of one's own have depth and stencil
-    int samples = 0;               ///< of a pixel
+    bool hasDepthOfItsOwn = false; ///< the GL's own framebuffer objects can have depth and stencil
+    int samples = 0;               ///< per pixel
 };
 
-/// What the scene's casters are.
+/// Facts about the scene's casters.
 struct SceneFacts {
     std::size_t triangles = 0;
     bool anyAnimated = false;
     bool allAnimated = false;
-    bool simplified = false;  ///< casters are others than the surfaces that are seen
-    bool alphaTested = false; ///< some records are of casters that are tested as they are drawn
-    bool cutoutsCast = false; ///< a lookup can tell where alpha leaves holes
+    bool simplified = false;  ///< casters differ from the visible surfaces
+    bool alphaTested = false; ///< some records belong to casters that are alpha-tested while
+                              ///< drawing
+    bool cutoutsCast = false; ///< a lookup knows the casters' cutouts
 };
 
-/// What one light is.
+/// Facts about one light.
 struct LightFacts {
-    bool isDrawn = true;    ///< it reaches something that is visible
+    bool isDrawn = true;    ///< it reaches something visible
     bool isShadowed = true; ///< it is among the lights that get a shadow at all
     bool rests = true;
     bool hasExtent = false;
     bool hasRange = false;
     bool isSpot = false;
-    bool reachesSeeThrough = true; ///< see-through surfaces
-    /// Silhouette edges of all casters; only asked for where they decide. Null: unknown, many.
+    bool reachesSeeThrough = true; ///< it reaches see-through surfaces
+    /// Counts silhouette edges of all casters; called only if the number matters. Null: unknown,
+    /// many.
     std::function<std::size_t()> silhouetteEdges = nullptr;
 };
 
-/// What became of one light's lookup, which is built once and kept.
+/// State of one light's lookup, which is built once and kept.
 struct LookupFacts {
     bool isSettled = false;    ///< it was built, or given up
-    bool isUsable = false;     ///< it was built, and is what this pass can ask
-    std::string_view reason{}; ///< once it is settled; somebody else's text
+    bool isUsable = false;     ///< it was built, and this pass can sample it
+    std::string_view reason{}; ///< set once it is settled; not owned
 };
 
-/// What building a lookup came to.
+/// Result of building a lookup.
 struct LookupOutcome {
-    std::string fault{};   ///< why it came to nothing; empty: it is there
-    double meanList = 0.0; ///< triangles in its lists, on the average
+    std::string fault{};   ///< why building failed; empty: it succeeded
+    double meanList = 0.0; ///< mean number of triangles in its lists
 };
 
 /// One light's technique in one frame.
 struct LightChoice {
     Technique technique = Technique::none;
-    /// What counts the casters that a lookup doesn't hold, which are animated; for other
-    /// techniques the same as `technique`.
+    /// The technique for animated casters, which a lookup doesn't hold; equals `technique` if that
+    /// is not a lookup.
     Technique counted = Technique::none;
     std::string_view rule; ///< its name in the table of shadow_policy.cpp
 };
 
 /// Whether a light takes part in lookups.
 struct LookupWish {
-    bool isKept = false;   ///< a lookup that is there stays
-    bool isWanted = false; ///< one is built where there is none
+    bool isKept = false;   ///< keep an existing lookup
+    bool isWanted = false; ///< build one if there is none
 };
 
-/// Decides which technique each light's shadows are made by, and why: from what was asked for, what
-/// the GL can do, and what scene and light are. It is a function of these facts alone, without GL
-/// or state, and the only place where a technique is chosen. Each rule is a row of a table; the
-/// first that applies decides.
+/// Chooses the technique for each light's shadows and gives the reason, from the requested
+/// settings, the GL's capabilities, the scene and the light. It is a pure function of these facts,
+/// and the only place where a technique is chosen. Each rule is a row of a table; the first that
+/// applies decides.
 class ShadowPolicy {
   public:
     ShadowPolicy(const PolicySettings& settings, const DeviceFacts& device, const SceneFacts& scene)
@@ -107,30 +109,31 @@ class ShadowPolicy {
 
     LightChoice choose(const LightFacts& light, const LookupFacts& lookup) const;
 
-    /// Why choose() chooses so; a clause, empty: it was asked for by name. Apart from that, as
-    /// frames choose for every light and nobody reads it there.
+    /// The reason for the choice of choose(), as a clause; empty: the user requested it by name.
+    /// Separate from choose(), because frames choose for every light and read no reasons.
     std::string reasonFor(const LightFacts& light, const LookupFacts& lookup) const;
 
     LookupWish lookupWish(const LightFacts& light) const;
 
-    /// Why no lookup should be built for a light, as long as scene and light rest; a clause, empty:
-    /// one should.
+    /// Why no lookup should be built for a light, as long as scene and light rest: a clause; empty:
+    /// one should be built.
     std::string lookupObstacle(const LightFacts& light) const;
 
-    /// The same of how many bytes it may take.
+    /// As above, for the bytes that it may take.
     std::string roomObstacle(std::size_t room) const;
 
-    /// The same of one that was built: why it should not be used.
+    /// As above, for a lookup that was built: why it should not be used.
     std::string lookupRefusal(const LookupOutcome& built) const;
 
-    /// Whether any light of the scene may get a lookup; false is certain. `records`: edges of
-    /// casters at rest.
+    /// Whether any light of the scene may get a lookup; false is certain. `records`: number of
+    /// edges of casters at rest.
     bool mayLookUp(std::size_t records) const;
 
-    /// Whether lights without a lookup have no volumes: each visible point is asked in their place.
+    /// Whether each visible point is tested instead of counting volumes, for lights without a
+    /// lookup.
     bool asksPoints() const;
 
-    /// Whether asksPoints() may be true of some scene.
+    /// Whether asksPoints() could be true for some scene.
     bool mayAskPoints() const;
 
     const PolicySettings& settings() const { return settings_; }
@@ -141,17 +144,18 @@ class ShadowPolicy {
     SceneFacts scene_;
 };
 
-/// Triangles from which asking each visible point takes less than filling volumes: as measured, of
-/// 4,000 volumes are filled in less time, of 22,000 in 1.2 times as much (docs/measured/fill.md).
+/// Number of triangles from which testing each visible point is quicker than filling volumes. As
+/// measured, filling volumes takes less time at 4,000 triangles, and 1.2 times as much at 22,000
+/// (docs/measured/fill.md).
 inline constexpr std::size_t leastTrianglesForPoints = 8192;
 
-/// At or below this many silhouette edges, volumes cost less than looking up every pixel.
+/// Number of silhouette edges up to which volumes cost less than a lookup in every pixel.
 inline constexpr std::size_t fewSilhouettes = 1000;
 
-/// Mean triangles of a lookup's lists above which volumes cost less.
+/// Mean length of a lookup's lists, in triangles, above which volumes cost less.
 inline constexpr double longLists = 100.0;
 
-/// Bytes below which no lookup is tried.
+/// Least memory in bytes for which a lookup is tried.
 inline constexpr std::size_t leastLookupBytes = std::size_t{1} << 16;
 
 } // namespace edgeshade

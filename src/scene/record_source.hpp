@@ -53,7 +53,7 @@ class RecordSource {
                                                    SidesLayout layout) const = 0;
 };
 
-/// Which records are on the GPU, and how they reach the vertex shader.
+/// The records on the GPU, and how they reach the vertex shader.
 struct VolumeRecords {
     VolumeLayout volumes = VolumeLayout::planePairs;
     SidesLayout layout = SidesLayout::instanced;

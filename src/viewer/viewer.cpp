@@ -421,7 +421,7 @@ void Viewer::Parts::advanceMaps(double now) {
     if (!side) return;
     RenderSettings wanted = settings.render;
     wanted.shading = state.shading;
-    // What volumes can't give shadows alone would do, but the other side may look up all.
+    // Maps for see-through surfaces would suffice, but the other side may look up all surfaces.
     wanted.shadows = looksUp(*side) ? side->shadows : ShadowMethod::primitiveMap;
     const ShadowPolicy policy = backgroundPolicy(*gpu->scene, *loaded, wanted, gpu->capabilities);
     if (!policy.mayLookUp(restingEdges(*loaded))) return;

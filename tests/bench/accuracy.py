@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Volumes and shadow maps against the oracle, on every model in ../shared/scenes.
 
-    tests/bench/accuracy.py                 compares all scenes (an hour on two cores), then the table
+    tests/bench/accuracy.py                 compares all scenes (an hour on two cores), then writes the table
     tests/bench/accuracy.py --volumes       compares only volumes; keeps the results of maps
-    tests/bench/accuracy.py --table         docs/measured/accuracy.md from the stored results
-    tests/bench/accuracy.py --take FOLDER   from reports of `compare` that were made manually
+    tests/bench/accuracy.py --table         writes docs/measured/accuracy.md from the stored results
+    tests/bench/accuracy.py --take FOLDER   takes reports of `compare` that were made manually
 """
 
 import json
@@ -30,7 +30,7 @@ def compare(scene, settings):
 
 
 def condensed(full):
-    """A report without its single views, which tell a reader little."""
+    """A report without its single views, which are of little use to a reader."""
     return [{key: value for key, value in result.items() if key != "by_view"}
             for result in full.get("results", [full])]
 

@@ -1,4 +1,4 @@
-// Measurements are of the real pictures; the times themselves are never judged.
+// Tests of bench: they judge its pictures and counts, never the times themselves.
 
 #include "src/bench/bench.hpp"
 #include "src/bench/flythrough.hpp"

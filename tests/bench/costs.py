@@ -2,10 +2,10 @@
 """Cost of drawing, on models in ../shared/scenes: results, plots, and the tables of
 docs/measured/costs.md and claims.md.
 
-    tests/bench/costs.py [PART...]      measures: flight, repeat, sizes, synthetic, tradeoff; all of them
+    tests/bench/costs.py [PART...]      measures these parts (flight, repeat, sizes, synthetic, tradeoff), by default all
     tests/bench/costs.py --table        tables and plots from the stored results
 
-EDGESHADE names the program, TIMING the way of timing (query, finish, processor).
+EDGESHADE names the program, TIMING the timing method (query, finish, processor).
 """
 
 import json
@@ -132,7 +132,7 @@ def stored(name):
 
 
 def note(data):
-    """One line on where the figures come from."""
+    """A line on the origin of the figures."""
     at = data["machine"]
     how = {"processor": "processor time on all cores", "finish": "waiting", "query": "the GPU's clock"}
     return (f"{at['renderer']}, {at['driver']}, {at['cores']} cores of {at['processor']}, "

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Wrong pixels and frame times where backs of single-sided materials are culled: the tables
-of docs/measured/culling.md. On small scenes made here and on models in ../shared/scenes.
+"""Wrong pixels and frame times with culled backs of single-sided materials, on small scenes made
+here and on models in ../shared/scenes: the tables of docs/measured/culling.md.
 
     tests/bench/culling.py           measures, then the tables
     tests/bench/culling.py --table   the tables from the stored results

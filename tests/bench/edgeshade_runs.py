@@ -16,8 +16,8 @@ PROGRAM = os.environ.get("EDGESHADE", str(ROOT / "build" / "release" / "edgeshad
 
 
 def report(*words):
-    """The JSON report of one call. Where scenes are drawn, base shading is the default, and
-    surfaces are seen from both sides: nearly all tables use these settings."""
+    """The JSON report of one call. If it draws a scene, the defaults are base shading and no culling,
+    the settings of nearly all tables."""
     if words[0] in ("bench", "compare") and not {"--synthetic", "--shading"} & set(words):
         words += ("--shading", "base")
     if words[0] in ("bench", "compare") and not {"--synthetic", "--cull"} & set(words):
@@ -41,13 +41,13 @@ def machine():
 
 
 def told_of_models(program, variable, names):
-    """The same, for models in ../shared/scenes."""
+    """As told_of(), for models in ../shared/scenes."""
     return told_of(program, variable, [str(SCENES / f"{name}.glb") for name in names])
 
 
 def told_of(program, variable, words):
-    """The JSON that one of the tests' programs, a path in build/, prints for files or other
-    arguments; the environment's `variable` may name another build of it. Programs for node end in
+    """The JSON that one of the tests' programs prints for these arguments. `program`: its path in
+    build/; the environment variable `variable` may name another build. Programs for node end in
     .cjs."""
     path = os.environ.get(variable, str(ROOT / "build" / program))
     run = ["node", path] if path.endswith(".cjs") else [path]
@@ -56,8 +56,8 @@ def told_of(program, variable, words):
 
 
 def results_of(name, measured):
-    """Results of `measured` for the scenes, with the machine, which it also stores; with --table,
-    the stored ones."""
+    """The results of measured(), with the machine; stores them. With --table it returns the stored
+    results instead."""
     if sys.argv[1:2] == ["--table"]:
         return json.loads((RESULTS / f"{name}.json").read_text())
     results = {"machine": machine(), "scenes": measured()}
@@ -66,7 +66,7 @@ def results_of(name, measured):
 
 
 def mean(values):
-    """Geometric."""
+    """The geometric mean."""
     return math.exp(sum(map(math.log, values)) / len(values))
 
 

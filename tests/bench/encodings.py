@@ -20,8 +20,8 @@ REPEATS = 3
 
 
 def call_seconds(path, layout):
-    """Processor time of a call that reads, flattens, finds shadow data, uploads and draws almost
-    nothing: the least of several."""
+    """Least processor time, over several calls, of a call that reads, flattens, finds shadow data,
+    uploads, and draws almost nothing."""
     def one():
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
         report("render", path, path.with_suffix(".png"), "--size", "8x8", "--layout", layout)

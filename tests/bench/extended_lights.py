@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""How many points of lights with an extent are counted wrong, by volumes and by primitive maps,
-against the oracle, by scene, shape and number of points: the table of
-docs/measured/extended-lights.md. Of models in ../shared/scenes.
+"""Wrongly counted points of lights with an extent, for volumes and primitive maps against the
+oracle, by scene, shape and number of points, on models in ../shared/scenes: the table of
+docs/measured/extended-lights.md.
 
     tests/bench/extended_lights.py           measures, then the table
     tests/bench/extended_lights.py --table   the table from the stored results
@@ -15,8 +15,8 @@ MODELS = {"temple": "temple.glb", "city": "city.draco.glb", "garden": "garden.dr
           "hospital, electrical": "hospital-electrical.glb"}
 POINTS = (16, 64, 255)
 MAP = "by map"
-VIEWS, SIZE = 3, "320x180"  # of six kinds in turn
-# Shares of the scene's diagonal, or degrees.
+VIEWS, SIZE = 3, "320x180"  # the views cycle through six kinds
+# Sizes as shares of the scene's diagonal, or in degrees.
 SHAPES = {"sphere": ("--light-radius", 0.02), "rectangle": ("--light-size", 0.05),
           "sun's disc": ("--sun-angle", 0.53), "sun of 6 degrees": ("--sun-angle", 6.0)}
 
@@ -37,7 +37,7 @@ def measured():
         diagonal = report("info", path)["diagonal"]
         for shape in SHAPES:
             against = [word for points in POINTS[:-1] for word in ("--against", f"light-samples={points}")]
-            # Two of the three are point lights, one is a sun.
+            # Two of the three shapes are point lights, one is a sun.
             against += ["--against", f"light-samples={POINTS[-1]},shadows=primitive-map"]
             told = report("compare", path, "--views", VIEWS, "--size", SIZE,
                           *extent(shape, diagonal), "--light-samples", POINTS[-1], *against)["results"]

@@ -1,5 +1,5 @@
-"""A forest as glTF, drawn in code: a ground and one tree's mesh in many places, rotated and scaled,
-by EXT_mesh_gpu_instancing."""
+"""Generates a forest as glTF: a ground, and one tree's mesh in many places, rotated and scaled, with
+EXT_mesh_gpu_instancing."""
 
 import json
 import math

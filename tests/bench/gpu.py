@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Performance on a GPU of volumes, of the published records and of shadow maps, on every model in
-../shared/scenes: frames, wrong pixels, what filling costs.
+"""Volumes, published records and shadow maps on a GPU, on every model in ../shared/scenes: frame
+times, wrong pixels, cost of filling.
 
     tests/bench/gpu.py frames [NAME...]    flies through those scenes, or all
     tests/bench/gpu.py compare [NAME...]   compares them with the oracle
@@ -27,7 +27,7 @@ MAPS = {f"map {size}": f"shadows=map,map-size={size}" for size in MAP_SIZES}
 RECORDS = {"published": "layout=published", "all": "silhouette=all"}
 LOOKED_UP = {"primitive map": "shadows=primitive-map"}
 
-# The compared methods of each flight, and further settings.
+# The methods compared in each flight, and further settings.
 FLIGHTS = {
     "resting": (RECORDS | MAPS | LOOKED_UP, ()),
     "moving": (RECORDS | MAPS, ("--light-moves",)),
@@ -69,7 +69,7 @@ def compared(scene):
 
 
 def ratio_table(results, light, ways):
-    """Frame times of other methods over this project's: above 1 this project's are better."""
+    """Frame times of other methods over those of this program: above 1 this program is faster."""
     lines = ["| scene | ours, ms | " + " | ".join(ways) + " |", "|" + " --- |" * (2 + len(ways))]
     columns = [[] for _ in ways]
     for scene, of in results.items():

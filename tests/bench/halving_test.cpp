@@ -243,7 +243,7 @@ TEST(Confidence, TheMedianIsSeldomAboveItsBound) {
                 drawn.push_back(values(random));
             above += medianBelow(drawn) < 1.0;
         }
-        EXPECT_LE(above, 40) << count; // of 25 expected at the most
+        EXPECT_LE(above, 40) << count; // at most 25 are expected
     }
     EXPECT_EQ(medianBelow({}), 0.0);
     EXPECT_EQ(medianBelow(std::vector{1.0, 3.0}), 3.0); // too few values to tell
@@ -259,7 +259,7 @@ TEST(Confidence, TheMeanIsSeldomAboveItsBound) {
             drawn.push_back(values(random));
         above += meanBelow(drawn) < 1.0;
     }
-    EXPECT_LE(above, 40); // of 25 expected
+    EXPECT_LE(above, 40); // 25 are expected
     EXPECT_EQ(meanBelow(std::vector{3.0}), 3.0);
 }
 

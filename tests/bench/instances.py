@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Cost of keeping a mesh once for all its places against repeating it: the tables of
-docs/measured/instances.md, for forests drawn in code.
+"""Cost of keeping a mesh once for all its places, against repeating it, for generated forests: the
+tables of docs/measured/instances.md.
 
     tests/bench/instances.py           measures, then the tables
     tests/bench/instances.py --table   the tables from the stored results
@@ -35,7 +35,7 @@ def run(*words):
 
 
 def frames(path, frame_count):
-    """Times of both choices, frame by frame in one process."""
+    """Frame times of both choices, measured alternately in one process."""
     told = report("bench", path, *VIEW, "--frames", frame_count, "--instances", "shared",
                   "--against", "instances=repeated")
     shared, repeated = told["results"]

@@ -1,4 +1,4 @@
-"""The models on which scripts here compare methods, and lights for them."""
+"""Models, with lights, on which the scripts here compare methods."""
 
 import sys
 import tempfile
@@ -34,8 +34,8 @@ def lights_for(path):
 
 
 def lit_models(kept=()):
-    """Each model under a sun and under a lamp, without extents: the name of both, the path, the
-    light, its arguments. Skips those whose names are in `kept`."""
+    """Each model under a sun and under a lamp, without extents: (name of the pair, path, light, its
+    arguments). Skips pairs whose names are in `kept`."""
     for name, path in MODELS.items():
         kinds = [kind for kind in ("sun", "lamp") if f"{name}, {kind}" not in kept]
         lights = lights_for(path) if kinds else {}

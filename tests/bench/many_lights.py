@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Lights scattered over scenes: frame times by their number, with volumes, with some shadows, with
-primitive maps, with shadow maps; and lights that reach nothing. The tables of
+"""Frame times by number of scattered lights, with volumes, with shadows for only some lights, with
+primitive maps and with shadow maps; and the cost of lights that reach nothing. The tables of
 docs/measured/many-lights.md.
 
     tests/bench/many_lights.py           measures, then tables
@@ -20,7 +20,7 @@ ALL = "all with shadows"
 SETTINGS = {"4 of them": "shadowed-lights=4", "none of them": "shadowed-lights=0",
             "primitive maps": "shadows=primitive-map", "maps 256": "shadows=map,map-size=256"}
 AWAY = 500  # lights that reach nothing
-SEEN = 8    # lights that reach something, beside those
+SEEN = 8    # lights that reach something
 
 
 def bench(path, *words):
@@ -34,7 +34,7 @@ def row(told):
 
 
 def by_number(path):
-    """One call for each number, so that the GPU never holds the scenes of more than one number."""
+    """Makes one call per number of lights, so that the GPU holds the scenes of one number at a time."""
     rows = {}
     for count in COUNTS:
         told = bench(path, "--lights", count,
@@ -44,7 +44,7 @@ def by_number(path):
 
 
 def away(path):
-    """This many lights in a ring around the scene's middle, alone and with others far from it."""
+    """SEEN lights in a ring around the scene's middle, alone and with AWAY others far from it."""
     middle, size = middle_and_diagonal(path)
 
     def ring(count, radius):
@@ -68,8 +68,8 @@ def measured():
 
 
 def growth(rows, setting, of):
-    """The exponent with which a time grows with the number of lights that reach something: least
-    squares of the logarithms, over numbers from 4 on; 1 is linear."""
+    """The exponent of a time's growth with the number of lights that reach something: a least-squares
+    fit of logarithms, for 4 lights or more; 1 is linear."""
     points = [(math.log(rows[str(count)][ALL]["reaching"]), math.log(rows[str(count)][setting][of]))
               for count in COUNTS if count >= 4 and rows[str(count)][setting][of] > 0]
     x, y = (sum(values) / len(points) for values in zip(*points))

@@ -3,7 +3,7 @@
 tables of docs/measured/maps.md and the picture docs/pictures/maps.png.
 
     tests/bench/maps.py             measures, then tables and the picture
-    tests/bench/maps.py --rest      measures what the results lack, scene by scene, then the same
+    tests/bench/maps.py --rest      measures only missing results, scene by scene, then as above
     tests/bench/maps.py --table     tables from the stored results
     tests/bench/maps.py --picture   only the picture
 
@@ -24,14 +24,14 @@ from png_bytes import Picture, read_png, side_by_side, write_png
 SIZE, VIEWS, FRAMES = "240x135", 2, 2
 MAP = "shadows=map,map-size="
 
-# All with the same number of texels: 1024 x 1024, and for lamps 6 x 512 x 512.
+# All maps have the same number of texels: 1024 x 1024, and for lamps 6 x 512 x 512.
 SUN = {"one map 1024": "1024", "PCF 3": "1024,pcf=3", "Poisson": "1024,filter=poisson",
        "VSM": "1024,filter=vsm", "ESM": "1024,filter=esm",
        "cascades 4 x 512": "512,map-kind=cascades", "cascades 4 x 512, Poisson": "512,map-kind=cascades,filter=poisson",
        "cascades 4 x 512, VSM": "512,map-kind=cascades,filter=vsm",
        "cascades 1 x 1024": "1024,map-kind=cascades,cascades=1",
-       # A lattice's nodes and the cut casters are extra. Moments take two texels per place, in as
-       # many bytes.
+       # A lattice's nodes and the cut casters come in addition. Moments take two texels per place,
+       # with the same number of bytes.
        "rectilinear warp 1024": "1024,map-kind=warped",
        "non-orthogonal warp 1024": "1024,map-kind=warped,warp=non-orthogonal",
        "rectilinear warp 1024, Poisson": "1024,map-kind=warped,filter=poisson",
@@ -45,7 +45,8 @@ LAMP = {"cube 6 x 512": "512", "PCF 3": "512,pcf=3", "Poisson": "512,filter=pois
 
 
 def case(path, light, contenders):
-    """`compare` tunes biases, as a user would: the fewest wrong pixels over its views."""
+    """Errors and times of one case. `compare` tunes biases for the fewest wrong pixels over its views,
+    as a user would."""
     against = [word for of in contenders.values() for word in ("--against", MAP + of)]
     judged = report("compare", path, *light, "--size", SIZE, "--views", VIEWS, *against)["results"]
     tuned = [f"{MAP}{of},map-bias={result['settings']['map-bias']}"
@@ -63,7 +64,7 @@ def case(path, light, contenders):
 
 
 def measured():
-    """Written after each case, since all of them take most of an hour."""
+    """Measures all cases, and stores the results after each, since they take most of an hour."""
     kept = RESULTS / "maps.json"
     results = json.loads(kept.read_text())["scenes"] if sys.argv[1:2] == ["--rest"] and kept.exists() else {}
     for name, path, kind, light in lit_models(kept=tuple(results)):
@@ -88,7 +89,7 @@ def head(first):
 
 
 def table(results):
-    """For each light the means over scenes, with equal weight for each scene, then all of them."""
+    """For each light the means over scenes, with equal weights, then the single scenes."""
     machine, scenes = results["machine"], results["scenes"]
     renderer = next(iter(scenes.values()))["renderer"]
     lines = [f"{machine['cores']} cores of {machine['processor']}, {machine['date']}, {renderer}, {SIZE}, "

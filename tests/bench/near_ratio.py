@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Wrong pixels against the near plane's distance: one depth range, and depth slices
-(docs/method.md, C26 and C27). Writes docs/measured/near-plane.md's table and
+"""Wrong pixels against the near plane's distance, for one depth range and for depth slices
+(docs/method.md, C26 and C27). Writes the table of docs/measured/near-plane.md and
 docs/pictures/near-ratio.svg.
 
     tests/bench/near_ratio.py [SCENE]    the name of a model in ../shared/scenes, bunny.draco

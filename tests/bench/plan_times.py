@@ -26,7 +26,7 @@ def table(scenes):
 
 
 def pairs(values):
-    """Elapsed time, and that of all cores."""
+    """Elapsed time, and the time of all cores."""
     return " | ".join(f"{wall:.1f}, {work:.1f}" for wall, work in zip(values[::2], values[1::2]))
 
 

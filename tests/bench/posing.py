@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Cost of showing another pose: the tables of docs/measured/posing.md. For a figure with a skin
-and a ball with morph targets, authored in code, and the model with a skin in ../shared/scenes.
+"""Cost of a new pose, for a generated figure with a skin, a generated ball with morph targets, and
+the model with a skin in ../shared/scenes: the tables of docs/measured/posing.md.
 
     tests/bench/posing.py           measures natively and in Chromium, then the tables
     tests/bench/posing.py --table   the tables from the stored results
 
-In Chromium build/web is measured, which './run web --build-only' makes; 'npm ci' in web/ comes first.
+Chromium runs build/web, which './run web --build-only' makes; run 'npm ci' in web/ first.
 """
 
 import json
@@ -23,7 +23,7 @@ SIDES = ("volumes", "map 1024", "map 2048")
 
 
 def scenes(folder):
-    """Name and file of each scene; the authored ones are written each time."""
+    """Name and file of each scene; generated scenes are written each time."""
     for name, (kind, sides, rings) in AUTHORED.items():
         path = pathlib.Path(folder) / f"{name}.glb"
         subprocess.run([TOOLS / "write_moving_scene", kind, path, str(sides), str(rings)],

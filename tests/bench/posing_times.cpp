@@ -29,7 +29,7 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
-/// By name, in order of first appearance.
+/// Times of stages by name, in order of first appearance.
 struct Stages {
     std::vector<std::pair<std::string, std::vector<double>>> all;
 

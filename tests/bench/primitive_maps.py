@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Primitive maps beside volumes and kept shadow maps, with a resting light, on every model in
-../shared/scenes: frames, wrong pixels, memory, time to build.
+"""Primitive maps, volumes and kept shadow maps with a resting light, on every model in
+../shared/scenes: frame times, wrong pixels, memory, build time.
 
     tests/bench/primitive_maps.py           measures (a quarter of an hour on two cores), then the tables
     tests/bench/primitive_maps.py --table   docs/measured/primitive-maps.md from the results

@@ -15,10 +15,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int repeats = 20;
-constexpr int runsARepeat = 10;                             // the clock ticks in microseconds
+constexpr int runsARepeat = 10;                             // the clock has a resolution of a
+                                                            // microsecond
 constexpr double radii[] = {0.0, 0.001, 0.003, 0.01, 0.03}; // shares of the scene's diagonal
 
-/// For one light and all batches.
+/// The result for one light and all batches.
 struct Found {
     double milliseconds = 0.0;
     std::size_t pairs = 0;

@@ -36,7 +36,7 @@ def table(results):
         for index, ball in enumerate(of["balls"]):
             listed = f"{100 * ball['pairs'] / of['pairs']:.1f}"
             time = f"{ball['ms']:.2f}"
-            there = f"{of['webassembly_ms'][index]:.1f}"  # node's clock ticks in milliseconds
+            there = f"{of['webassembly_ms'][index]:.1f}"  # node's clock has a resolution of a millisecond
             cells += [f"{time}, {listed}"] if index else [time, there, listed]
         lines.append(f"| {NAMES[of['scene']]} | {of['triangles']:,} | {of['pairs']:,} | "
                      + " | ".join(cells) + " |")

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Plane-pair records against the published ones, and proposals of them, beside cube maps, on
-every model in ../shared/scenes: the tables of docs/measured/records.md.
+"""Plane-pair records, all or only proposed ones, against published records and cube maps, on every
+model in ../shared/scenes: the tables of docs/measured/records.md.
 
     tests/bench/records.py           measures, then the tables
     tests/bench/records.py --moving  measures only moving lights; keeps the other results
@@ -22,15 +22,15 @@ FRAME_KEPT = ("frame_ms", "stage_ms", "vertex_runs", "bytes_gpu")
 FRAME_SIZE, FRAMES = "960x540", 8
 MAP_SIZES = (1024, 2048, 4096, 8192)
 
-# Settings that the proposed records are measured against, as arguments of bench.
+# Settings to compare with proposed records, as arguments of bench.
 AGAINST = {"all": "silhouette=all", "published": "layout=published"} | {
     f"map {size}": f"shadows=map,map-size={size}" for size in MAP_SIZES}
-# For a moving light also the program's own choice.
+# With a moving light, the program's own choice is measured too.
 AGAINST_MOVING = AGAINST | {"auto": "shadows=auto"}
 
 
 def frames_of(path, others, *more):
-    """Frame times with proposed records and all others, in one run."""
+    """Frame times with proposed records and with all other settings, in one run."""
     told = report("bench", path, "--size", FRAME_SIZE, "--frames", FRAMES, "--timing", "processor",
                   *against(others.values()), *more)
     frames = {way: {key: result[key] for key in FRAME_KEPT}

@@ -1,6 +1,6 @@
 // resting_light SCENE: frames of a viewer whose light is dragged for a second and then left alone,
-// printed as JSON: {"frames": [{"at": s, "ms": .., "method": ".."}, ...]}. Time passes as frames
-// take it; each frame is redrawn, as for somebody who orbits.
+// printed as JSON: {"frames": [{"at": s, "ms": .., "method": ".."}, ...]}. The clock advances by
+// each frame's own time; each frame is redrawn, as if the user were orbiting.
 #include "src/gl/headless_context.hpp"
 #include "src/viewer/viewer.hpp"
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Brute-force volumes and planar shadows beside volumes and the published method, of a sun and of a
-lamp: wrong pixels, frames, bytes. The tables of docs/measured/rivals.md and the picture
+"""Brute-force volumes and planar shadows against volumes and the published method, for a sun and a
+lamp: wrong pixels, frame times, bytes. The tables of docs/measured/rivals.md and the picture
 docs/pictures/rivals.png.
 
     tests/bench/rivals.py             measures, then tables and the picture
@@ -53,14 +53,14 @@ def measured():
     return {name: case(path, light) for name, path, _, light in lit_models()}
 
 
-# Slope of the light's rays through the near plane, relative to 1 along it. At the last one ZP+ is
-# given up.
+# Slopes of the light's rays across the near plane, per 1 along it. At the last one the program no
+# longer uses ZP+.
 TILTS = (1, 0.1, 0.01, 0.003, 0.0015, 0.0005)
 
 
 def leaves():
-    """Five hundred small triangles above the eye, around the near plane, and behind them a wall of
-    which nothing is clipped."""
+    """Five hundred small triangles above the eye, around the near plane, and a wall behind them that
+    is not clipped."""
     chance = random.Random(2005)
     a, b, c, d = [[x, y, -6] for x, y in ((-4.5, -4.5), (4.5, -4.5), (4.5, 4.5), (-4.5, 4.5))]
     triangles = [[a, b, c], [a, c, d]]
@@ -71,7 +71,7 @@ def leaves():
 
 
 def near_plane():
-    """The eye among the shadows of leaves, whose outlines cross the near plane."""
+    """An eye in the shadows of leaves, whose outlines cross the near plane."""
     rows = {}
     with tempfile.TemporaryDirectory() as folder:
         path = glb(pathlib.Path(folder) / "leaves.glb", (), leaves())

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Cost and accuracy of shadows on see-through surfaces and of shadows of leaves: the tables
-of docs/measured/see-through.md. On models in ../shared/scenes and on the scene that ships.
+"""Cost and accuracy of shadows on see-through surfaces and of shadows from leaves, on models in
+../shared/scenes and on the shipped scene: the tables of docs/measured/see-through.md.
 
     tests/bench/see_through.py           measures, then the tables
     tests/bench/see_through.py --table   the tables from the stored results
@@ -24,7 +24,7 @@ COUNTS = ("visible_pixels", "wrong_mask_pixels", "wrong_mask_beyond_1px", "wrong
 
 
 def changed(path, folder, change):
-    """A copy of a GLB whose materials change(material) has changed."""
+    """A copy of a GLB with change(material) applied to its materials."""
     data = path.read_bytes()
     length = struct.unpack("<I", data[12:16])[0]
     gltf = json.loads(data[20:20 + length])
@@ -42,7 +42,7 @@ def changed(path, folder, change):
 
 
 def receivers_alone(material):
-    """The same triangles in a form that the oracle sees: they receive, and cast nothing."""
+    """Turns a see-through material into one that the oracle sees: it receives shadows, and casts none."""
     material.update(alphaMode="MASK", alphaCutoff=0.0)
 
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Error against time of soft shadows: exact ones of N points, maps with a constant filter, and
-percentage-closer soft shadows, for the same lamp and the same sun. The tables of
+"""Error against time of soft shadows: exact shadows of N points, maps with a constant filter, and
+percentage-closer soft shadows, for the same lamp and sun. The tables of
 docs/measured/soft-shadows.md, the pictures docs/pictures/soft-shadows-*.png and the plot
 docs/pictures/soft-shadows.svg.
 
@@ -116,12 +116,12 @@ def table(results):
 
 
 def contact():
-    """A box on the ground, and one just above it."""
+    """A box on the ground, and another just above the ground."""
     return floor(4, 0) + box([-1.2, 0, -0.5], [-0.2, 1.4, 0.5]) + box([0.5, 0.05, -0.5], [1.7, 0.35, 0.6])
 
 
 def chain():
-    """Occluders above each other: a wide board over a narrow one, over a block."""
+    """Stacked occluders: a wide board over a narrow one, over a block."""
     return (floor(4, 0) + box([-1.1, 2, -1.1], [0.2, 2.05, 1.1]) + box([-0.5, 1, -0.5], [1, 1.05, 0.5])
             + box([0.3, 0, -0.3], [0.7, 0.3, 0.3]))
 

@@ -17,7 +17,7 @@ def decades(values):
 
 
 def panel(title, rows, x0, y0):
-    """One case: frame time over the RMS error."""
+    """One case: frame time against RMS error."""
     width, height = PANEL
     (x_low, x_high), (y_low, y_high) = (decades([row["ms"] for row in rows.values()]),
                                         decades([row["error"]["rms"] for row in rows.values()]))

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""Sun positions that `sunhours` counts wrong, against the oracle, and its time beside
-Embree's rays: the tables of docs/measured/sun-hours.md. On models in ../shared/scenes, one day seen
-from above and from the side.
+"""Sun positions that `sunhours` counts wrong, against the oracle, and its time beside that of
+Embree's rays, on models in ../shared/scenes over one day, seen from above and from the side: the
+tables of docs/measured/sun-hours.md.
 
     tests/bench/sun_hours.py           measures, then the tables
-    tests/bench/sun_hours.py --times   only the times; errors are taken from the stored results
+    tests/bench/sun_hours.py --times   measures only times; takes errors from the stored results
     tests/bench/sun_hours.py --table   the tables from the stored results
 
-EDGESHADE names the program, EDGESHADE_SUN_RAYS tests/bench/sun_rays.cpp's.
+EDGESHADE names the program, EDGESHADE_SUN_RAYS that of tests/bench/sun_rays.cpp.
 """
 
 import json

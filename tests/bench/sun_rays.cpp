@@ -101,7 +101,7 @@ class Tree {
     Tree(const Tree&) = delete;
     Tree& operator=(const Tree&) = delete;
 
-    /// How many of up to eight places a light from a direction of length 1 reaches.
+    /// Number of up to eight places that a light from a direction of length 1 reaches.
     std::size_t lit(std::span<const Place> places, const glm::vec3& direction, float offset) const {
         alignas(32) int valid[packet] = {};
         RTCRay8 rays;

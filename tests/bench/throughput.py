@@ -42,7 +42,7 @@ def table(results):
 
 
 def large_table(results):
-    """For generated meshes; results of the earlier code are kept in a separate file."""
+    """The table for generated meshes. A separate file keeps results of earlier code."""
     lines = ["| mesh | triangles | weld, ms | edges, ms | plane-pair records, ms | million triangles "
              "/ s | before | on all threads | meshoptimizer: weld and adjacency |",
              "|" + " --- |" * 9]

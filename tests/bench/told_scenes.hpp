@@ -8,7 +8,7 @@
 
 namespace edgeshade {
 
-/// Above a scene and to its side, like bench's light.
+/// A light above a scene and to its side, like bench's light.
 inline glm::dvec3 besideAndAbove(const Box& bounds) {
     return bounds.center() + glm::dvec3(0.3, 0.6, 0.2) * bounds.diagonal();
 }

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Whether the settings that `tradeoff` recommends keep their promise on scenes, frames and views
-that it never saw: 60 tries over scenes drawn by a seed. The table of docs/measured/tradeoff.md.
+"""Tests whether the settings that `tradeoff` recommends keep their promise on frames and views that
+it did not measure: 60 tries over scenes generated from a seed. The table of
+docs/measured/tradeoff.md.
 
     tests/bench/tradeoff_answers.py            measures, then the table; some twenty minutes
     tests/bench/tradeoff_answers.py --table    the table from the stored results
@@ -20,7 +21,7 @@ from edgeshade_runs import PROGRAM, figure, percent, replace_between, report, re
 TRIES = 60
 SIZE, FRAMES, VIEWS, LARGEST_MAP = "160x90", 12, 12, 1024
 OTHER_VIEWS, OTHER_FRAMES = 24, 17   # only the first of a flight's 17 frames is among its 12
-TIME_MARGIN = 1.1                    # of the budget, see below
+TIME_MARGIN = 1.1                    # factor of the budget, see below
 REFERENCE = "no shadows"
 
 
@@ -59,7 +60,7 @@ def street(draw):
 
 
 def soup(draw):
-    """Loose triangles in the air above ground."""
+    """Loose triangles above the ground."""
     triangles = [[(-5, 0, -5), (-5, 0, 5), (5, 0, 5)], [(-5, 0, -5), (5, 0, 5), (5, 0, -5)]]
     size = draw.uniform(0.1, 0.6)
     for _ in range(draw.randrange(50, 1500)):
@@ -91,7 +92,7 @@ def write_glb(path, triangles):
 
 
 def taken(rows, budget, wrong, suffix="_below"):
-    """The row that docs/tradeoff.md recommends; with suffix "" by the measured values instead of
+    """The row that docs/tradeoff.md recommends; with suffix "" it goes by measured values instead of
     their bounds."""
     def known(row):
         return row["frame_ms" + suffix], row["wrong_image_percent" + suffix]
@@ -103,7 +104,7 @@ def taken(rows, budget, wrong, suffix="_below"):
 
 
 def told_by_tradeoff(path, wrong):
-    """The report, even if no setting is acceptable, which ends with status 3."""
+    """The report of tradeoff, even if no setting is acceptable (status 3)."""
     words = ["tradeoff", path, "--size", SIZE, "--frames", FRAMES, "--views", VIEWS, "--largest-map", LARGEST_MAP,
              "--timing", "processor", "--max-wrong-percent", wrong, "--report", "-"]
     done = subprocess.run([PROGRAM, *map(str, words)], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
@@ -119,16 +120,16 @@ def pasted(options):
 
 
 def demands(draw, rows, wrong):
-    """Three budgets: for errors, for time, for both; times range from that of the fastest setting
-    to that of the slowest exact one."""
+    """Three demands: on errors, on time, on both. Times are between that of the fastest setting and
+    that of the slowest exact one."""
     times = sorted(row["frame_ms"] for row in rows if row["pareto"])
     span = [times[0] * (times[-1] / times[0] * 1.4) ** draw.uniform(0.1, 1.0) for _ in range(2)]
     return [(None, wrong), (span[0], None), (span[1], 10 ** draw.uniform(-1.0, 1.0))]
 
 
 def checked(path, picks):
-    """For each pick its wrong percent in views beyond those that tradeoff saw, and its time over
-    the reference's, in one process."""
+    """For each pick the percentage of wrong pixels in views that tradeoff did not see, and its time
+    relative to the reference's, measured in one process."""
     against = [word for text in ["shadows=none", *picks] for word in ("--against", text)]
     judged = report("compare", path, "--shading", "full", "--size", SIZE, "--views", VIEWS + OTHER_VIEWS,
                     *against)["results"][2:]

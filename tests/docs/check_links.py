@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
-"""What documents and comments point to is there.
+"""Checks that links, citations, paths and names of tests in documents and comments exist.
 
-* Relative links in every Markdown file lead to a file, and to a heading of it where they name one.
-* What code cites of docs/method.md, "docs/method.md, C8" or "docs/method.md, The closed chain", is a
-  heading there or in one of its chapters, docs/method/*.md; the part before a heading's colon is enough.
-  Paths of documents in code exist.
-* Paths and tests that documents in docs/ name in backticks exist, and files that are named `beside` such a path
-  lie in its folder.
+* Relative links in every Markdown file must lead to a file, and to a heading of it if they name one.
+* Citations in code, such as "docs/method.md, C8" or "docs/method.md, The closed chain", must be headings of
+  docs/method.md or of its chapters, docs/method/*.md; the part before a heading's colon is enough. Paths of
+  documents in code must exist.
+* Paths and tests that documents in docs/ name in backticks must exist. A file named `beside` such a path must be
+  in the same folder.
 
-Prints a sentence for each that isn't, and ends with status 1.
+Prints a sentence for each fault, and then ends with status 1.
 """
 
 import os
@@ -43,7 +43,7 @@ def headings(text):
 
 
 def anchor(heading):
-    """As GitHub makes it of a heading."""
+    """The anchor that GitHub makes from a heading."""
     plain = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", heading).lower()
     return re.sub(r"[^\w\- ]", "", plain).replace(" ", "-")
 
@@ -95,7 +95,7 @@ def missing_names(document, tests):
 
 
 def misplaced_neighbours(document):
-    """A file that is named without a folder lies in the folder of the path that was named last."""
+    """Files named "beside" a path that are not in its folder."""
     for line in without_code(text_of(document)).replace("\n  ", " ").splitlines():
         folder = None
         for named in re.finditer(r"`([^`\n]+)`", line):

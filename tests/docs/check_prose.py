@@ -1,14 +1,13 @@
 #!/usr/bin/env python3
 """Finds prose that is hard to read, in comments of sources and in documents.
 
-* openings: comments of sources that open with a bare relation, such as "Of" or "Which", instead of the
-  thing that they describe. Questions are fine.
+* openings: comments of sources that open with a bare relation, such as "Of" or "Which", instead of naming the
+  thing that they describe. Questions are allowed.
 * long sentences: sentences of documents with more than 35 words.
-* words: words of documents and comments that the glossary replaces by others. The table "Words to avoid" of
-  docs/architecture.md lists them.
+* words: words of documents and comments that the table "Words to avoid" of docs/architecture.md replaces.
 
-Prints file:line for each and a count for each kind; with --counts the counts alone. Ends with status 1 when
-anything is found.
+Prints file:line for each finding and a count for each kind; with --counts only the counts. Ends with status 1
+if it finds anything.
 """
 
 import argparse
@@ -45,7 +44,7 @@ def marker_of(path):
 
 
 def comments(lines, marker):
-    """(line number, text, whether the comment opens here) for each line of a comment."""
+    """(line number, text, whether a comment begins here) for each line of a comment."""
     previous = None  # the column of the comment on the line before
     for number, line in enumerate(lines, 1):
         found = COMMENT[marker].search(line)
@@ -59,7 +58,7 @@ def comments(lines, marker):
 
 
 def paragraphs(lines):
-    """(line number, text) for each paragraph and list item of a document, without code, tables and headings."""
+    """(line number, text) for each paragraph and list item of a document; skips code, tables and headings."""
     start, gathered, code = 0, [], False
     for number, line in enumerate([*lines, ""], 1):
         plain = line.strip()
@@ -75,7 +74,7 @@ def paragraphs(lines):
 
 
 def read_aloud(text):
-    """Markdown as it is read: code and a link's text count, its target does not."""
+    """Markdown as it is read: code counts as a word, and a link as its text."""
     text = re.sub(r"`[^`]*`", "code", re.sub(r"<[^>]*>", "", text))
     return re.sub(r"!?\[([^]]*)\]\([^)]*\)", r"\1", text).replace("*", "")
 
@@ -98,7 +97,7 @@ def is_link_list(text):
 
 
 def words_to_avoid():
-    """A pattern for each word of the glossary's table, and the word to take instead."""
+    """(pattern, word to avoid, replacement) for each row of the table."""
     table = (ROOT / "docs/architecture.md").read_text().partition("## Words to avoid")[2]
     for row in re.findall(r"^\| (.+?) \| (.+?) \|$", table, re.M)[2:]:
         for word in row[0].split("; "):
@@ -106,7 +105,7 @@ def words_to_avoid():
 
 
 def findings():
-    """(kind, place, what) for everything that is found."""
+    """(kind, place, text) for each finding."""
     avoided = list(words_to_avoid())
 
     def words(path, number, text):

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes the index of conditions in docs/method.md: a row for each heading "C8. ..." of docs/method/*.md.
 
-With --check it writes nothing, and ends with status 1 if the index is stale.
+With --check it writes nothing, and ends with status 1 if the index is out of date.
 """
 
 import pathlib

@@ -14,7 +14,7 @@ LitCounts countDirections(const LoadedScene& loaded, const FrameRequest& request
     LitCounter counter(capabilities);
     counter.begin(request.width, request.height);
     if (directions.empty()) {
-        // What surfaces there are, in a light that isn't counted.
+        // Draw one uncounted light, to find the pixels that show surfaces.
         const glm::dvec3 up(0.0, 1.0, 0.0);
         counter.add(renderer, scene, loaded, directionMasks(seen, loaded, {&up, 1}));
         gl::requireNoError("counting sun positions");
@@ -23,7 +23,7 @@ LitCounts countDirections(const LoadedScene& loaded, const FrameRequest& request
         counts.lights = 0;
         return counts;
     }
-    constexpr std::size_t most = 32; // of which plans are held at once
+    constexpr std::size_t most = 32; // lights whose plans are held at once
     const std::size_t atOnce = std::min(LitCounter::lightsAtOnce(scene), most);
     for (std::size_t first = 0; first < directions.size();) {
         const std::size_t count = std::min(directions.size() - first, atOnce);

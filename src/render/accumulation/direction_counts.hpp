@@ -8,10 +8,10 @@
 
 namespace edgeshade {
 
-/// How many of some directional lights reach what each pixel shows, for any number of directions
-/// up to PictureSum::most, towards the light each. `request`: its lights are not asked. BLEND
-/// surfaces, which take no part in shadows, are left out. `progress` gets the share done. Throws
-/// Error as LitCounter does.
+/// Counts how many directional lights reach the surface that each pixel shows, for up to
+/// PictureSum::most directions, each pointing towards its light. `request`: its lights are ignored.
+/// BLEND surfaces are left out, as they take no part in shadows. `progress` receives the share
+/// done. Throws Error as LitCounter does.
 LitCounts countDirections(const LoadedScene& loaded, const FrameRequest& request,
                           std::span<const glm::dvec3> directions, Renderer& renderer,
                           GpuScene& scene, const gl::Capabilities& capabilities,

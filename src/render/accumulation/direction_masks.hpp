@@ -7,9 +7,9 @@
 
 namespace edgeshade {
 
-/// A view whose picture is the sum of the lit masks of directional lights, towards which these
-/// point, at most mostSummed; else as `seen`. BLEND surfaces, which take no part in shadows, are
-/// left out.
+/// A view whose picture is the sum of the lit masks of directional lights; everything else is as in
+/// `seen`. `directions`: towards the lights, at most mostSummed. BLEND surfaces are left out, as
+/// they take no part in shadows.
 FrameView directionMasks(const FrameView& seen, const LoadedScene& loaded,
                          std::span<const glm::dvec3> directions);
 

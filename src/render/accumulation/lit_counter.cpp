@@ -10,7 +10,7 @@
 namespace edgeshade {
 
 std::size_t LitCounter::lightsAtOnce(const GpuScene& scene) {
-    constexpr std::size_t mostPlans = 16384; // of a batch in one light
+    constexpr std::size_t mostPlans = 16384; // for one batch and one light
     return std::clamp<std::size_t>(mostPlans / std::max<std::size_t>(scene.batches.size(), 1), 1,
                                    std::size_t{8});
 }
@@ -42,7 +42,7 @@ void LitCounter::add(Renderer& renderer, GpuScene& scene, const LoadedScene& loa
     }
     const gl::FramebufferKeeper keeper;
     if (depthStencil_) glBindFramebuffer(GL_FRAMEBUFFER, masks_.framebuffer.name());
-    glDisable(GL_DITHER); // bytes are counts
+    glDisable(GL_DITHER); // the bytes are counts
     renderer.draw(scene, view, clock);
     if (!depthStencil_) {
         glActiveTexture(GL_TEXTURE0);

@@ -19,7 +19,7 @@ void unbind(int units) {
         bindTo(unit, 0);
 }
 
-/// Bytes are written as they are.
+/// Binds and sets up a framebuffer in which bytes are written unchanged.
 void drawPlainlyInto(gl::Name framebuffer, const glm::ivec2& size) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, size.x, size.y);
@@ -46,7 +46,7 @@ void readBytes(const gl::ColorTarget& target, const glm::ivec2& from, const glm:
 
 void PictureSum::begin(int width, int height) {
     if (size_ != glm::ivec2(width, height)) {
-        size_ = glm::ivec2(0); // should anything be refused
+        size_ = glm::ivec2(0); // in case the GL refuses below
         for (Halves* halves : {&sums_, &next_})
             *halves = {gl::ColorTarget(width, height), gl::ColorTarget(width, height)};
         share_ = {};
@@ -114,7 +114,7 @@ void PictureSum::show(gl::Name framebuffer, std::uint32_t largest) const {
 }
 
 std::array<std::uint16_t, 4> PictureSum::at(const glm::ivec2& pixel) const {
-    const glm::ivec2 from(pixel.x, size_.y - 1 - pixel.y); // the GL's rows go up
+    const glm::ivec2 from(pixel.x, size_.y - 1 - pixel.y); // the GL's rows run upwards
     std::array<std::uint8_t, 4> low{}, high{};
     readBytes(sums_.low, from, {1, 1}, low.data());
     readBytes(sums_.high, from, {1, 1}, high.data());
@@ -132,7 +132,7 @@ std::vector<std::uint16_t> PictureSum::read() const {
     readBytes(sums_.high, {0, 0}, size_, high.data());
     std::vector<std::uint16_t> sums(low.size());
     const std::size_t row = 4 * static_cast<std::size_t>(size_.x);
-    for (std::size_t i = 0; i < sums.size(); ++i) { // the GL's rows go up
+    for (std::size_t i = 0; i < sums.size(); ++i) { // the GL's rows run upwards
         const std::size_t from = (static_cast<std::size_t>(size_.y) - 1 - i / row) * row + i % row;
         sums[i] = static_cast<std::uint16_t>(low[from] | high[from] << 8);
     }

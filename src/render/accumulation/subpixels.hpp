@@ -8,11 +8,11 @@ namespace edgeshade {
 
 inline constexpr std::size_t mostSubpixels = 256;
 
-/// Where within its pixels the n-th of several pictures is sampled, from -1/2 to 1/2 of a pixel
-/// across and up; the first in the middle.
+/// The position within the pixel that the n-th of several pictures samples, from -1/2 to 1/2 of a
+/// pixel to the right and up. The first is the pixel's centre.
 glm::dvec2 subpixelOffset(std::uint64_t n);
 
-/// The same picture, sampled there.
+/// The same view, sampled at that offset.
 Frustum sampledAt(Frustum frustum, const glm::dvec2& offset, int width, int height);
 
 } // namespace edgeshade

@@ -8,10 +8,10 @@
 
 namespace edgeshade {
 
-/// Enables vertex attributes for its lifetime and puts the GL's state back afterwards.
+/// Enables vertex attributes for its lifetime, and then restores the GL's state.
 class AttributeBinding {
   public:
-    /// `instancing` may be null where nothing is instanced.
+    /// `instancing` may be null if nothing is instanced.
     explicit AttributeBinding(const gl::Instancing* instancing) : instancing_(instancing) {}
     ~AttributeBinding() {
         for (GLuint i = 0; i < count_; ++i) {
@@ -23,7 +23,7 @@ class AttributeBinding {
     AttributeBinding(const AttributeBinding&) = delete;
     AttributeBinding& operator=(const AttributeBinding&) = delete;
 
-    /// The next attribute location reads `components` values of GL type `type`.
+    /// Makes the next attribute location read `components` values of GL type `type`.
     void add(const gl::Buffer& buffer, int components, GLenum type, bool normalized,
              std::size_t stride, std::size_t offset, bool perInstance) {
         glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
@@ -34,7 +34,7 @@ class AttributeBinding {
         ++count_;
     }
 
-    /// The next `vectors` locations read consecutive vec4s of records from byte `offset` on.
+    /// Makes the next `vectors` locations read consecutive vec4s of records from byte `offset` on.
     void addRecords(const gl::Buffer& buffer, std::size_t vectors, std::size_t offset,
                     bool perInstance) {
         const std::size_t size = 4 * sizeof(float);

@@ -12,7 +12,7 @@ constexpr float aboveAnyAlpha = 2.0f;
 void setCapAlphaTest(const gl::Program& program, const GpuScene& scene, std::size_t batch,
                      std::size_t material) {
     const AlphaLookup alpha = scene.alphaOf(batch, material);
-    // Nothing of a BLEND surface is in the depth buffer, so all of it counts as cut out.
+    // BLEND surfaces are not in the depth buffer, so all of such a surface counts as cut out.
     const bool blend = scene.materials[material].alphaMode == AlphaMode::blend;
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, alpha.texture);

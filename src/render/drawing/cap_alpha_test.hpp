@@ -5,8 +5,9 @@
 
 namespace edgeshade {
 
-/// Sets what tells the cutouts of a batch's casters of a material from their solid parts: the
-/// uniforms of caps.frag's ALPHA_TEST variant, which must be in use, and the texture of unit 0.
+/// Sets the alpha test that separates cutouts from solid parts of a batch's casters of one
+/// material: the uniforms of caps.frag's ALPHA_TEST variant, which must be in use, and the texture
+/// of unit 0.
 void setCapAlphaTest(const gl::Program& program, const GpuScene& scene, std::size_t batch,
                      std::size_t material);
 

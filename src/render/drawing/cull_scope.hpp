@@ -4,7 +4,7 @@
 
 namespace edgeshade {
 
-/// Leaves out one side of all triangles, for as long as it lives.
+/// Culls one side of all triangles for its lifetime.
 class CullScope {
   public:
     explicit CullScope(GLenum side) {

@@ -8,7 +8,7 @@ namespace edgeshade {
 
 void NearnessTarget::fit(int width, int height) {
     if (width == width_ && height == height_) return;
-    width_ = height_ = 0; // should anything be refused
+    width_ = height_ = 0; // in case the GL refuses below
     target_ = gl::ColorTarget(width, height);
     depth_.emplace(width, height, capabilities_);
     depth_->attach();
@@ -21,7 +21,7 @@ void NearnessTarget::fit(int width, int height) {
     height_ = height;
 }
 
-/// Where a GL takes depth and stencil in one renderbuffer or not at all, and has none for both.
+/// Attaches depth only, for GLs that have no renderbuffer with both depth and stencil.
 void NearnessTarget::attachDepthAlone(int width, int height) {
     depth_.reset();
     gl::Name name = 0;

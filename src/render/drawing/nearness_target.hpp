@@ -7,13 +7,13 @@
 
 namespace edgeshade {
 
-/// What Renderer::drawNearness() is drawn into: a texture, and depth.
+/// The target of Renderer::drawNearness(): a texture, and depth.
 class NearnessTarget {
   public:
     explicit NearnessTarget(const gl::Capabilities& capabilities) : capabilities_(capabilities) {}
 
-    /// Makes it anew where its size was another, and binds its framebuffer. Throws
-    /// Error(unavailable) if the GL can't draw so.
+    /// Binds its framebuffer, recreating it if the size changed. Throws Error(unavailable) if the
+    /// GL can't draw this way.
     void bind(int width, int height);
 
     gl::Name texture() const { return target_.texture.name(); }
@@ -26,7 +26,7 @@ class NearnessTarget {
     gl::Capabilities capabilities_;
     gl::ColorTarget target_;
     std::optional<gl::DepthStencil> depth_;
-    gl::Renderbuffer depthAlone_; ///< in place of `depth_`, where a framebuffer can't have both
+    gl::Renderbuffer depthAlone_; ///< replaces `depth_` if a framebuffer can't have both
     int width_ = 0, height_ = 0;
 };
 

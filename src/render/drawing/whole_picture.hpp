@@ -4,16 +4,17 @@
 
 namespace edgeshade {
 
-/// One triangle over the whole viewport; what is written of it, and where, is the caller's state.
+/// A triangle over the whole viewport. The caller's state decides which of its pixels and channels
+/// are written.
 class WholePicture {
   public:
     /// Draws 0 in all channels.
     WholePicture();
 
-    /// Draws what this fragment shader says.
+    /// Draws with this fragment shader.
     explicit WholePicture(const char* fragmentSource, const std::vector<std::string>& defines = {});
 
-    /// In use, for uniforms to be set before draw().
+    /// Puts its program into use, so that uniforms can be set before draw().
     const gl::Program& use() const;
 
     void draw() const;

@@ -1,4 +1,4 @@
-// Renderer's see-through surfaces.
+// Renderer: see-through surfaces.
 
 #include "src/render/drawing/cull_scope.hpp"
 #include "src/render/frame/frame.hpp"
@@ -12,7 +12,7 @@
 namespace edgeshade {
 namespace {
 
-/// How far away a point is, for what is drawn from far to near.
+/// A point's distance, for drawing from far to near.
 double distanceFrom(const Frustum& frustum, const glm::dvec3& point) {
     return frustum.orthographic ? depthOf(frustum, point)
                                 : glm::distance(frustum.position(), point);
@@ -39,7 +39,7 @@ void Renderer::drawBlended(const SlicePass& pass) {
                      [](const Item& a, const Item& b) { return a.distance > b.distance; });
 
     const StageScope stage(pass.clock, FrameStage::lit);
-    set(passes::seeThrough(false, true)); // chunks change how they blend alone
+    set(passes::seeThrough(false, true)); // chunks change only the blending
     for (const Item& item : items) {
         const Material& material = pass.scene.materials[item.chunk->material];
         const bool mirrored = item.batch->mirrored();
@@ -50,8 +50,8 @@ void Renderer::drawBlended(const SlicePass& pass) {
             drawAsInFullLight(pass, *item.batch, *item.chunk);
             continue;
         }
-        // In what order triangles are drawn says nothing of their depth: first what of them is seen
-        // from behind, if they have that side, then what faces the eye.
+        // Draw back faces before front faces, if there are any: the triangles' order in the chunk
+        // says nothing about their depth.
         for (const bool fromBehind : {true, false}) {
             if (fromBehind && !material.doubleSided) continue;
             const CullScope leftOut(fromBehind == mirrored ? GL_BACK : GL_FRONT);
@@ -88,8 +88,8 @@ void Renderer::drawSeeThrough(const SlicePass& pass, const GpuBatch& batch,
         const LightPlan& plan = pass.plan.lights[i];
         if (!light.drawn || plan.listed || plan.reach.empty()) continue;
         SurfaceShading shading = shadingOf(pass, i);
-        shading.visibility = nullptr; // of what is behind
-        // Whichever technique it has: these surfaces are not counted for.
+        shading.visibility = nullptr; // it belongs to the surface behind
+        // Whatever the light's technique is: the stencil does not count for see-through surfaces.
         const bool lookedUp =
             light.shadowed && techniques_.volumes() && lookupFactsOf(pass.scene, light).isUsable;
         shading.primitives = lookedUp ? pass.scene.primitiveMaps.mapOf(light.light) : nullptr;

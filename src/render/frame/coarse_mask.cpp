@@ -9,11 +9,12 @@
 namespace edgeshade {
 namespace {
 
-/// By how much the slopes of a curved surface may differ within a texel. Less breaks up curved
-/// surfaces, more lets light leak over low steps: this much takes steps of half a texel for none.
+/// Greatest difference of slopes on a curved surface within a texel. A smaller value breaks up
+/// curved surfaces, a larger one lets light leak over low steps. This value ignores steps of half a
+/// texel.
 constexpr double slopeOfCurves = 0.5;
 
-/// The planes' space of a picture of this size.
+/// The planes' space for a picture of this size.
 PlaneSpace planeSpace(const FrameView& view, const DepthSlice& slice, const glm::dvec2& size) {
     const glm::dvec2 window = view.frustum.size();
     PlaneSpace space{glm::vec2(0.5 * window),
@@ -47,7 +48,7 @@ gl::ColorTarget CoarseMask::makeTarget(const glm::ivec2& size) const {
 void CoarseMask::fit(int width, int height) {
     const glm::ivec2 size = (glm::ivec2(width, height) + scale_ - 1) / scale_;
     if (size == size_) return;
-    size_ = glm::ivec2(0); // should anything be refused
+    size_ = glm::ivec2(0); // in case the GL refuses below
     depthStencil_.emplace(size.x, size.y, capabilities_);
     surfaces_ = makeTarget(size);
     counts_ = makeTarget(size);
@@ -86,7 +87,7 @@ CoarseMaskLookup CoarseMask::lookup(const FrameView& view, const DepthSlice& sli
         lookup.light = glm::vec4(inView);
         return lookup;
     }
-    // A directional light's direction is scaled so that no double leaves the range of floats.
+    // Scale a directional light's direction, so that no double exceeds the range of floats.
     const double unit =
         light.position.w != 0.0
             ? slice.near

@@ -7,13 +7,13 @@
 
 namespace edgeshade {
 
-/// How a spot's light falls off, as shaders_es2/light_window.glsl takes it. Where the angles are
-/// the same the edge is a thousandth wide, of a narrow cone as of a wide one.
+/// How a spot's light falls off, in the form of shaders_es2/light_window.glsl. If its two angles
+/// are equal, the edge is a thousandth of 1 - cos(outer) wide, for narrow and wide cones alike.
 struct ConeWindow {
     float inverseOuter, scale;
 
     explicit ConeWindow(const Cone& cone) {
-        const auto fromOne = [](double angle) { // 1 - cos(angle), which rounding leaves its digits
+        const auto fromOne = [](double angle) { // 1 - cos(angle) without cancellation
             const double half = std::sin(0.5 * angle);
             return 2.0 * half * half;
         };

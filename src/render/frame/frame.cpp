@@ -63,7 +63,7 @@ void Renderer::drawSlices(GpuScene& scene, const FrameView& view, StageClock* cl
     bool marked = false;
     for (std::size_t s = 0; s < view.slices.size(); ++s) {
         const SlicePass pass{scene, view, view.slices[s], plan_.slices[s], s == 0, clock};
-        if (marked) mark_.clear(); // the light with ambient light has its share in alpha
+        if (marked) mark_.clear(); // the light with ambient light keeps their share in alpha
         drawDepthAndAmbient(pass);
         techniques_.forEach([](ShadowTechnique& technique) { technique.beginSlice(); });
         if (coarse_ && !pass.plan.reach.empty()) drawCoarseSurfaces(pass);
@@ -171,7 +171,7 @@ void Renderer::drawDepthAndAmbient(const SlicePass& pass) {
                            : glm::vec4(settings_.background, 1.0f);
         glClearColor(clear.r, clear.g, clear.b, clear.a);
     }
-    // Depth and stencil at once: one without the other is dear where they share their bytes.
+    // Clear depth and stencil together: clearing one alone is slow where they share bytes.
     setStencilClear(pass.plan.start());
     glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | (pass.first ? GL_COLOR_BUFFER_BIT : 0));
 
@@ -179,7 +179,7 @@ void Renderer::drawDepthAndAmbient(const SlicePass& pass) {
     if (light) {
         shading.withAmbient = true;
         shading.map = mapOf(*light);
-        // Alpha, which is 1, is the volumes'.
+        // Only volumes need the share in alpha; without them alpha stays 1.
         const bool counted = pass.plan.lights[*light].isCounted();
         state.color[3] = counted && sum_.darkens();
         set(state);
@@ -220,7 +220,7 @@ void Renderer::drawShadowedLight(const SlicePass& pass, std::size_t light) {
     glDisable(GL_STENCIL_TEST);
 }
 
-/// Leaves what is in shadow in the stencil; where there are groups or a lower resolution, in alpha.
+/// Marks the light's shadow in the stencil; with groups or a lower resolution, in alpha.
 void Renderer::countAndMark(const SlicePass& pass, std::size_t light) {
     const LightPlan& plan = pass.plan.lights[light];
     std::optional<gl::FramebufferKeeper> keeper;

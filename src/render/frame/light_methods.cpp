@@ -21,7 +21,7 @@ std::vector<LightMethod> lightMethods(const GpuScene& scene, const FrameView& vi
         method.why = policy.reasonFor(light, lookup);
         const ShadowTechnique* technique = techniques.of(choice.technique);
         if (technique) technique->describe(scene, of.light, method);
-        // A map that was refused took its time, too.
+        // Report a refused map too: building it took time.
         if (lookups && lookups != technique && of.drawn && of.shadowed)
             lookups->describe(scene, of.light, method);
     }

@@ -10,7 +10,7 @@ namespace edgeshade {
 struct GpuScene;
 class Renderer;
 
-/// How a renderer makes the shadows of each of the view's lights, in a scene that is prepared.
+/// How a renderer makes the shadows of each of the view's lights, in a prepared scene.
 std::vector<LightMethod> lightMethods(const GpuScene& scene, const FrameView& view,
                                       const Renderer& renderer);
 

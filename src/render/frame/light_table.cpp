@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t texelsOfALight = 4;
 
-/// Turns of the loop: far more than most lists need, or software, which shades pixels in step,
-/// would unroll it.
+/// Least number of turns of the shader's loop. It is far more than most lists need: a software GL,
+/// which shades pixels in lockstep, would unroll a shorter loop.
 constexpr std::size_t leastTurns = 64;
 
 void addLight(const Light& light, const glm::vec3& color, const glm::dvec3& eye,

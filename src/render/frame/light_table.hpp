@@ -10,26 +10,26 @@
 
 namespace edgeshade {
 
-/// What surfaces look up of listed lights.
+/// The table of listed lights, as surfaces sample it.
 struct LightTableLookup {
     gl::Name texture = 0;
     glm::vec3 size{1.0f};  ///< see FloatTable
     glm::vec4 tiles{1.0f}; ///< see shaders_es2/light_table.glsl
-    int longest = 1;       ///< turns of the loop: a power of 2 that no list is longer than
+    int longest = 1;       ///< turns of the loop: a power of 2, at least the longest list's length
 };
 
-/// Lights without a shadow, and which of them each tile lists, on the GPU as
-/// shaders_es2/light_table.glsl reads them. One slice's at a time.
+/// Lights without a shadow and each tile's list of them, on the GPU, as
+/// shaders_es2/light_table.glsl reads them. Holds one slice at a time.
 class LightTable {
   public:
     explicit LightTable(const gl::Capabilities& capabilities) : capabilities_(capabilities) {}
 
-    /// Whether the GL has textures of floats, and fragment shaders that reckon with all of their
-    /// bits.
+    /// Whether the GL has float textures and fragment shaders with full float precision.
     static bool isPossible(const gl::Capabilities& capabilities);
 
-    /// Uploads the lists of a view. `colorOf`: what a white Lambert surface sends back of a light,
-    /// by its index in the view. Throws Error(unavailable) if they are more than a texture holds.
+    /// Uploads the lists of a view. `colorOf`: light that a white Lambert surface reflects from a
+    /// light, by its index in the view. Throws Error(unavailable) if a texture can't hold the
+    /// lists.
     LightTableLookup upload(const LightLists& lists, const FrameView& view,
                             const std::function<glm::vec3(std::size_t)>& colorOf);
 
@@ -38,7 +38,7 @@ class LightTable {
   private:
     gl::Capabilities capabilities_;
     std::optional<gl::FloatTable> table_;
-    std::size_t texels_ = 0; ///< that it has
+    std::size_t texels_ = 0; ///< capacity in texels
 };
 
 /// Binds the table to the texture unit.

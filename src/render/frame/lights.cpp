@@ -1,4 +1,4 @@
-// Renderer's lights: what each adds to the picture, and how they are put together.
+// Renderer: the light that each light adds to the picture, and how lights are combined.
 
 #include "src/environment/neutral.hpp"
 #include "src/render/frame/frame.hpp"
@@ -14,26 +14,27 @@
 namespace edgeshade {
 namespace {
 
-/// Lights of a picture without any shadows from which they are listed; fewer take a pass each.
+/// Number of lights, in a picture without shadows, from which they are listed; fewer take a pass
+/// each.
 constexpr std::size_t manyUnshadowed = 9;
 
-/// Where lines of sight come from, from the camera's position.
+/// The origin of lines of sight, relative to the camera's position.
 glm::vec4 eyeFrom(const Frustum& frustum) {
     const glm::dvec4 eye = frustum.eye();
     return glm::vec4(glm::dvec3(eye) - frustum.position() * eye.w, eye.w);
 }
 
-/// What of white light the display shows so.
+/// The share of white light that the display shows as `displayed`.
 float lightShown(float displayed) {
     return std::pow(displayed, 2.2f);
 }
 
-/// Of the neutral environment: how much more a white surface sends back that looks up than one that
-/// looks aside (neutralRadiance(), to the first order).
+/// Slope of the neutral environment: how much more light a white surface reflects facing up than
+/// facing sideways (neutralRadiance(), to first order).
 constexpr float neutralSlope = 0.59f;
 
-/// Whether plain surfaces need no curve but a power: all light is white, and nothing is brighter
-/// than the display shows.
+/// Whether plain surfaces need only a power function, no tone curve: all light is white, and
+/// nothing is brighter than the display shows.
 bool isPlain(const RenderSettings& settings) {
     return settings.exposure <= 0.0f && !settings.environment;
 }
@@ -52,7 +53,8 @@ Renderer::LightSum Renderer::lightSum(const GpuScene& scene, const FrameView& vi
     if (settings_.shading == Shading::base || view.mask || settings_.tintPrimitives) return sum;
     sum.full = true;
     sum.replaces = view.lights.size() == 1;
-    // All or none: Neutral shows dark and deep colours darker than the short way.
+    // Plain for all surfaces or for none: Neutral shows dark and deep colours darker than the short
+    // way.
     sum.plainIsShort =
         sum.replaces && scene.plain && isPlain(settings_) && isPlain(view.lights.front().light);
     return sum;
@@ -119,7 +121,7 @@ SurfaceShading Renderer::shadingOf(const SlicePass& pass, std::optional<std::siz
     const FrameLight& of = pass.view.lights[*index];
     const Light& light = of.light;
     shading.light = light;
-    // So that what looks up, straight into all lights, is shown as it is.
+    // A surface that faces up, straight towards all lights, is shown in its own colour.
     const float ambient = shading.ambient * (shading.full ? 1.0f + neutralSlope : 1.0f);
     const auto weight = static_cast<float>(of.weight);
     const float share =

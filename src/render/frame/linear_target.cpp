@@ -12,7 +12,7 @@ namespace edgeshade {
 namespace {
 
 constexpr GLenum rgba16f = 0x881A;
-constexpr GLenum halfFloat = 0x140B; ///< ES 3.0's; OES_texture_half_float has another one
+constexpr GLenum halfFloat = 0x140B; ///< the value of ES 3.0; OES_texture_half_float has another
 
 void attachTexture(gl::Name texture) {
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
@@ -25,7 +25,7 @@ gl::Framebuffer makeFramebuffer() {
     return gl::Framebuffer(name);
 }
 
-/// Also forgets the error of what the GL has refused.
+/// Whether the framebuffer is complete. Also clears the error if the GL refused something.
 bool isComplete() {
     const bool refused = glGetError() != GL_NO_ERROR;
     return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE && !refused;
@@ -105,7 +105,7 @@ void LinearTarget::show(gl::Name framebuffer) {
     glEnable(GL_DEPTH_TEST);
 }
 
-/// As tone_inverse.glsl has it.
+/// The same formula as in tone_inverse.glsl.
 glm::vec3 LinearTarget::lightShownAs(const glm::vec3& color) {
     constexpr float reflected = 0.04f, shown = 0.8f - reflected;
     glm::vec3 light = linearFromSrgb(color);

@@ -8,8 +8,8 @@
 
 namespace edgeshade {
 
-/// A framebuffer that light is added up in, in half floats, before the display's colours are made
-/// of all of it. With the samples a pixel of the context where the GL has such framebuffers.
+/// A framebuffer of half floats in which linear light is added up before it is converted to display
+/// colours. It has as many samples as the context, if the GL has such framebuffers.
 class LinearTarget {
   public:
     /// Whether the GL can draw into half floats.
@@ -17,14 +17,14 @@ class LinearTarget {
 
     explicit LinearTarget(const gl::Capabilities& capabilities) : capabilities_(capabilities) {}
 
-    /// Makes it that large, and binds it. Returns whether the GL draws into it; else what was bound
-    /// is bound again.
+    /// Resizes and binds it. Returns whether the GL can draw into it; if not, restores the previous
+    /// binding.
     bool bind(int width, int height);
 
-    /// Draws the display's colours of it over the whole viewport of that framebuffer.
+    /// Draws its light as display colours over the whole viewport of that framebuffer.
     void show(gl::Name framebuffer);
 
-    /// What is cleared to for the display to show this colour, sRGB.
+    /// The linear light that the display shows as this sRGB colour: the clear value.
     static glm::vec3 lightShownAs(const glm::vec3& color);
 
     std::size_t bytes() const;
@@ -36,13 +36,13 @@ class LinearTarget {
 
     gl::Capabilities capabilities_;
     glm::ivec2 size_{0};
-    bool refused_ = false; ///< the GL can't after all
+    bool refused_ = false; ///< the GL turned out not to support it
     gl::Texture light_;
     gl::Framebuffer framebuffer_;
-    gl::SampledBuffers samples_; ///< where there are samples
+    gl::SampledBuffers samples_; ///< set if there are several samples
     gl::Framebuffer sampled_;
-    std::optional<gl::DepthStencil> depthStencil_; ///< where there are none
-    std::optional<WholePicture> picture_;          ///< once it was drawn into
+    std::optional<gl::DepthStencil> depthStencil_; ///< set if there is one sample
+    std::optional<WholePicture> picture_;          ///< created on first use
 };
 
 } // namespace edgeshade

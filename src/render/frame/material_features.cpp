@@ -8,7 +8,7 @@ namespace {
 
 using enum TextureSlot;
 
-/// A texture as the shader knows it.
+/// A texture and its names in the shader.
 struct Map {
     TextureSlot slot;
     const char* define;

@@ -8,33 +8,35 @@
 
 namespace edgeshade {
 
-/// What one pass over a surface asks of material.frag: what the material has and the pass can show.
-/// A variant of the shader is compiled for each.
+/// The features of material.frag that one pass over a surface needs: those that the material has
+/// and the pass can show. Each combination is a variant of the shader.
 struct MaterialFeatures {
-    std::array<signed char, textureSlots> channels{}; ///< of each texture's coordinates; -1: none
+    std::array<signed char, textureSlots> channels{}; ///< coordinate set of each texture; -1: no
+                                                      ///< texture
     bool glossy = false;                              ///< specular-glossiness
-    bool emissive = false;                            ///< gives off light
-    bool clearcoat = false;                           ///< has a coat
-    bool tangents = false;                            ///< of its vertices
-    bool ambient = false;                             ///< light from everywhere is shown
+    bool emissive = false;                            ///< emits light
+    bool clearcoat = false;                           ///< has a clearcoat
+    bool tangents = false;                            ///< the vertices have tangents
+    bool ambient = false;                             ///< ambient light is shown
 
     auto key() const { return std::tie(channels, glossy, emissive, clearcoat, tangents, ambient); }
     bool operator<(const MaterialFeatures& other) const { return key() < other.key(); }
 
     bool has(TextureSlot slot) const { return channels[static_cast<std::size_t>(slot)] >= 0; }
-    /// Whether some texture, or the base colour's for channel 0, takes these coordinates.
+    /// Whether any texture uses this set of coordinates; channel 0 is also the base colour's.
     bool takes(int channel) const;
 };
 
-/// `textureUnits`: how many it may take. Where it wants more, the last of its textures in the order
-/// of TextureSlot are left out; so are normals by texture without tangents and derivatives.
+/// `textureUnits`: number available. If the material needs more, the last textures in the order of
+/// TextureSlot are left out. Normal maps are left out if there are neither tangents nor
+/// derivatives.
 MaterialFeatures featuresOf(const GpuScene& scene, const SurfaceChunk& chunk, bool ambient,
                             bool derivatives, int textureUnits);
 
-/// The #defines of its variant.
+/// Appends the variant's #defines.
 void addDefines(const MaterialFeatures& features, std::vector<std::string>& defines);
 
-/// Sets what the variant reads of the material; textures get the units from `firstUnit` on.
+/// Sets the variant's uniforms; textures take the units from `firstUnit` on.
 void setMaterial(gl::Program& program, const MaterialFeatures& features, const Material& material,
                  const Textures& textures, int firstUnit);
 

@@ -10,7 +10,7 @@
 namespace edgeshade {
 namespace {
 
-/// Whether a light may reach something that is see-through.
+/// Whether a light may reach a see-through surface.
 bool mayReachSeeThrough(const GpuScene& scene, const Light& light) {
     if (!light.hasRange()) return true;
     const auto isSeeThrough = [&](const SurfaceChunk& chunk) {
@@ -29,8 +29,8 @@ bool mayReachSeeThrough(const GpuScene& scene, const Light& light) {
     return false;
 }
 
-/// Sorts lights by what they add to the picture, those with maps taken twice: a map is built in
-/// many frames' time, and would go with the next turn of the camera.
+/// Sorts lights by their effect on the picture. Lights that have a map count twice: building one
+/// takes many frames, and the next turn of the camera should not discard it.
 [[maybe_unused]] void sortByImportance(const FrameView& view, const PrimitiveMaps& kept,
                                        std::vector<Light>& lights) {
     std::vector<std::pair<double, Light>> weighed;
@@ -44,8 +44,8 @@ bool mayReachSeeThrough(const GpuScene& scene, const Light& light) {
                    [](const auto& of) { return of.second; });
 }
 
-/// Whether there are surfaces to look up that volumes can't give shadows: they are seen together
-/// with what is behind them, for which the stencil counts.
+/// Whether any see-through surfaces receive shadows, which only lookups can give them: the stencil
+/// counts for the surface behind them.
 bool receivesSeeThrough(const GpuScene& scene, const RenderSettings& settings) {
     return settings.shading == Shading::full && scene.seeThrough;
 }

@@ -4,18 +4,18 @@
 
 namespace edgeshade {
 
-/// What the picture's alpha is for: it keeps "in shadow" (0) while the stencil is cleared for the
-/// next group of casters, a counter as wide as it takes, out of one of eight bits; or the share of
-/// a colour that shadow leaves.
+/// Marks in the picture's alpha. Alpha keeps "in shadow" (0) while the stencil is cleared for the
+/// next group of casters, so that 8 stencil bits suffice for any count. Or it holds the share of a
+/// colour that remains in shadow.
 class ShadowMark {
   public:
-    /// Alpha 1: everything is unmarked, and shadow leaves all of it.
+    /// Sets alpha to 1: nothing is marked, and shadow leaves colours unchanged.
     void clear();
 
     /// Marks where the stencil isn't 0.
     void markCounted();
 
-    /// Leaves, where the stencil isn't 0, of each colour the share that alpha says.
+    /// Multiplies colours by alpha where the stencil isn't 0.
     void darkenCounted();
 
   private:

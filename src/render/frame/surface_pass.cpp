@@ -49,7 +49,8 @@ void setFullShading(gl::Program& program, const FullShading& full) {
     program.set("u_eye", full.eye);
 }
 
-/// Which units the lookups of light.glsl leave to a material, the environment and its textures.
+/// Number of texture units that the lookups of light.glsl take; the environment and the material's
+/// textures follow.
 constexpr int unitsOfLookups(const SurfaceShading& shading) {
     if (shading.map) return 1 + shading.map->units();
     if (shading.primitives) return shading.primitives->cutouts ? 5 : 4;
@@ -118,7 +119,7 @@ void setPrimitiveMap(gl::Program& program, const GpuPrimitiveMap& map, const Bat
     program.set("u_mapOriginRest", view.mapOriginRest);
 }
 
-/// See shaders_es2/primitive_map_points.glsl.
+/// Sets the light's points, see shaders_es2/primitive_map_points.glsl.
 void setPlaces(gl::Program& program, const GpuPrimitiveMap& map, const SurfaceShading& shading) {
     std::array<std::array<glm::vec4, placesAtOnce / 4>, 4> places{}; // x, y, z, counted
     for (std::size_t i = 0; i < shading.places.size(); ++i) {
@@ -176,7 +177,7 @@ void setVisibility(gl::Program& program, const VisibilityLookup& visibility) {
     program.set("u_visibilityTexel", 1.0f / visibility.size);
 }
 
-/// In place of what the material says of it.
+/// Sets alpha in place of the material's own.
 void setAlphaLookup(gl::Program& program, const AlphaLookup& alpha) {
     program.set("u_baseColor", glm::vec4(1.0f, 1.0f, 1.0f, alpha.factor));
     program.set("u_alphaCutoff", alpha.cutoff);
@@ -187,8 +188,8 @@ void setAlphaLookup(gl::Program& program, const AlphaLookup& alpha) {
     program.setSampler("u_texture", 0);
 }
 
-/// What an unlit material draws: all of its colour with ambient light, and black for what adds
-/// light, which of surfaces that coincide is drawn for the first as well.
+/// Shading of an unlit material: its whole colour with ambient light, and black in passes that add
+/// light. There it is drawn too, since only the first of coinciding surfaces is lit.
 SurfaceShading unlitShading(SurfaceShading shading) {
     shading.ambient = shading.addsLight() ? 0.0f : 1.0f;
     shading.light.reset();
@@ -201,11 +202,11 @@ SurfaceShading unlitShading(SurfaceShading shading) {
     return shading;
 }
 
-/// What a ground that catches shadow draws: what the lights leave of the background between them is
-/// all of it, whatever their colours and intensities are.
+/// Shading of a ground that catches shadow: all lights together show the whole background, whatever
+/// their colours and intensities.
 SurfaceShading catcherShading(SurfaceShading shading) {
     if (shading.full) {
-        shading.ambient += shading.full->ambientSlope; // of what looks up
+        shading.ambient += shading.full->ambientSlope; // of a surface that faces up
         shading.full->ambientSlope = 0.0f;
         shading.full->exposure = 1.0f;
     }
@@ -215,7 +216,7 @@ SurfaceShading catcherShading(SurfaceShading shading) {
     return shading;
 }
 
-/// Which side of a casting chunk's triangles a primitive map's light is on; null: nobody asks, or
+/// A casting chunk's triangles with their sides for a primitive map's light; null: not needed, or
 /// an animation moves them.
 const SidedChunk* sidedOf(const SurfaceChunk& chunk, const BatchView& view,
                           const SurfaceShading& shading) {
@@ -228,7 +229,7 @@ bool mayBeSeen(const SurfaceChunk& chunk, const BatchView& view) {
                         [&](const glm::dvec4& plane) { return isOutside(chunk.bounds, plane); });
 }
 
-/// Whether the scene culls such surfaces' backs, wherever they are seen from.
+/// Whether the scene culls the backs of surfaces with this material.
 bool showsFrontAlone(const Material& material, const BatchView& view) {
     return view.culls && !material.doubleSided;
 }
@@ -267,7 +268,8 @@ BatchView surfaceViewOf(const GpuScene& scene, const GpuBatch& batch, const Fram
     return result;
 }
 
-/// Of a material's textures; the environment's is bound to the one before where it is looked up.
+/// First texture unit for material textures. Binds the environment to the unit before it if the
+/// pass samples it.
 int SurfacePass::firstUnit(const SurfaceShading& shading, const gl::Program& program) {
     const int unit = unitsOfLookups(shading);
     if (shading.addsLight()) return unit;
@@ -297,15 +299,15 @@ const std::array<SurfacePass::Attribute, 8> SurfacePass::attributes_ = {{
      [](const Variant& of) { return of.sided; }},
 }};
 
-/// How full shading draws the chunk, if it is what is asked for.
+/// Adds to the variant how full shading draws the chunk, if shading is full.
 void SurfacePass::addMaterial(const GpuScene& scene, const SurfaceChunk& chunk,
                               const SurfaceShading& shading, Variant& variant) const {
     const Material& material = scene.materials[chunk.material];
     if (!shading.full || shading.mask || shading.geometryAlone() || shading.tintPrimitives) return;
     variant.linear = shading.full->linear;
     if (variant.catcher) {
-        variant.plain = shading.lights == 1.0 &&
-                        shading.weight == 1.0; // else light or the display's colours are added up
+        variant.plain =
+            shading.lights == 1.0 && shading.weight == 1.0; // otherwise several lights add up
         return;
     }
     if (material.unlit) return;

@@ -20,54 +20,59 @@
 
 namespace edgeshade {
 
-/// Full shading: what materials send back of linear light (glTF 2.0, appendix B), as the display
+/// Full shading: the linear light that materials reflect (glTF 2.0, appendix B), as the display
 /// shows it.
 struct FullShading {
-    /// Plain surfaces take surface.frag's short way: the light is white, and no brighter than what
-    /// the display shows of it.
+    /// Plain surfaces take surface.frag's short way: the light is white, and no brighter than the
+    /// display can show.
     bool plainIsShort = false;
-    const GpuEnvironment* environment = nullptr; ///< null where all is plain and short
-    bool softTerminator = false; ///< where normals are smooth and the GL has derivatives
-    bool linear = false;         ///< light itself is written, to be mapped later
-    float ambientSlope = 0.0f;   ///< of `ambient` from the side to above
+    const GpuEnvironment* environment = nullptr; ///< null if everything is plain and takes the
+                                                 ///< short way
+    bool softTerminator = false; ///< applies to smooth normals, if the GL has derivatives
+    bool linear = false;         ///< linear light is written, to be tone-mapped later
+    float ambientSlope = 0.0f;   ///< change of `ambient` from facing sideways to facing up
     float exposure = 1.0f;       ///< a factor
-    glm::vec3 lightColor{0.0f};  ///< what a white Lambert surface sends back of it, straight on
-    glm::vec4 eye{0.0f, 0.0f, 0.0f, 1.0f}; ///< from the camera's position, world axes, homogeneous
+    glm::vec3 lightColor{0.0f};  ///< light that a white Lambert surface facing the light reflects
+    glm::vec4 eye{0.0f, 0.0f, 0.0f, 1.0f}; ///< relative to the camera's position, world axes,
+                                           ///< homogeneous
 };
 
-/// What the surfaces write: base colour times ambient light or times that of one light or both, or,
-/// for the lit mask, `maskValue`.
+/// How surfaces are shaded: base colour times ambient light, times one light, or both; or
+/// `maskValue` for the lit mask.
 struct SurfaceShading {
-    std::optional<FullShading> full; ///< nothing: Shading::base
-    std::optional<Light> light;      ///< nothing: ambient light
-    bool withAmbient = false;        ///< light and ambient light, whose share of both is in alpha
+    std::optional<FullShading> full; ///< null: Shading::base
+    std::optional<Light> light;      ///< null: ambient light
+    bool withAmbient = false;        ///< one light and ambient light, with ambient light's share in
+                                     ///< alpha
     float ambient = 0.0f;
-    float diffuse = 0.0f;       ///< of the light, times its Lambert term
-    double lights = 0.0;        ///< of the picture, by their weights
-    double weight = 1.0;        ///< of this light among them
-    glm::vec3 background{0.0f}; ///< sRGB, which a ground that catches shadow shows
+    float diffuse = 0.0f;       ///< factor of the light's Lambert term
+    double lights = 0.0;        ///< sum of the weights of the picture's lights
+    double weight = 1.0;        ///< weight of this light
+    glm::vec3 background{0.0f}; ///< sRGB, shown by a ground that catches shadow
     bool mask = false;
-    bool selfShadowed = false; ///< of the mask: the stencil doesn't know all casters turned away
+    bool selfShadowed = false; ///< masks: the stencil doesn't cover all casters that face away from
+                               ///< the light
     float maskValue = 0.0f;
-    float farthest = std::numeric_limits<float>::infinity(); ///< what is deeper is not drawn
-    /// The light's shadow map, primitive map or mask of lower resolution; none: lit everywhere.
+    float farthest = std::numeric_limits<float>::infinity(); ///< deeper surfaces are not drawn
+    /// The light's shadow map, primitive map or mask of lower resolution; all null: lit everywhere.
     const ShadowMapLookup* map = nullptr;
     const GpuPrimitiveMap* primitives = nullptr;
-    std::span<const Light>
-        places{};                ///< of the light, at most placesAtOnce: `primitives` is of all
-                                 ///< of it, and as many times `maskValue` are written as are seen
-    glm::dvec4 eye{0.0};         ///< where lines of sight come from, in the world
-    bool tintPrimitives = false; ///< show what its texels hold
+    std::span<const Light> places{}; ///< points of the light, at most placesAtOnce; `primitives` is
+                                     ///< then a map of the whole light, and `maskValue` is written
+                                     ///< once for each visible point
+    glm::dvec4 eye{0.0};             ///< origin of lines of sight, in the world
+    bool tintPrimitives = false;     ///< show the contents of the map's texels
     const CoarseMaskLookup* coarse = nullptr;
-    const VisibilityLookup* visibility = nullptr; ///< how much of its extent is seen
-    const LightTableLookup* listed = nullptr;     ///< all lights of lists by tile, in place of one
-    const PlaneSpace* planes = nullptr;   ///< not null: planes are drawn, and nothing is shaded
-    const PlaneSpace* nearness = nullptr; ///< likewise, nearness alone
+    const VisibilityLookup* visibility = nullptr; ///< visible share of its extent
+    const LightTableLookup* listed = nullptr;     ///< all lights of the tiles' lists, instead of
+                                                  ///< one light
+    const PlaneSpace* planes = nullptr;           ///< not null: planes are drawn, without shading
+    const PlaneSpace* nearness = nullptr;         ///< not null: nearness is drawn, without shading
 
-    /// Light alone is drawn, to be added to what is there.
+    /// Whether only light is drawn, to be added to the picture.
     bool addsLight() const { return (light && !withAmbient) || listed; }
 
-    /// Surfaces themselves are drawn, not what they look like.
+    /// Whether geometry is drawn instead of its appearance.
     const PlaneSpace* geometryAlone() const { return planes ? planes : nearness; }
 };
 
@@ -75,13 +80,13 @@ struct SurfaceShading {
 /// world.
 bool isOutOfView(const GpuBatch& batch, const ViewPlanes& planes);
 
-/// Where the view's camera sees a batch from, and where its light's map has it.
+/// The camera's view of a batch, and its placement in the light's map.
 BatchView surfaceViewOf(const GpuScene& scene, const GpuBatch& batch, const FrameView& view,
                         const DepthSlice& slice, const SurfaceShading& shading);
 
-/// Draws visible surfaces, from both sides but where the scene culls single-sided ones; depth,
-/// stencil and blending are the caller's state. Those of unlit materials have their own colour
-/// whatever the light; masks show where it falls on them.
+/// Draws visible surfaces, from both sides unless the scene culls single-sided ones. Depth, stencil
+/// and blending are the caller's state. Surfaces with unlit materials have their own colour in any
+/// light; in masks they show shadows like others.
 class SurfacePass {
   public:
     explicit SurfacePass(const gl::Capabilities& capabilities)
@@ -93,8 +98,8 @@ class SurfacePass {
     std::size_t draw(const GpuScene& scene, const GpuBatch& batch, const BatchView& view,
                      const glm::dvec3& eye, const SurfaceShading& shading, AlphaMode kind);
 
-    /// Draws one chunk, of the sides that the caller doesn't cull, unless it certainly isn't in
-    /// view. Returns vertex runs.
+    /// Draws one chunk, limited to the sides that the caller doesn't cull, unless it is certainly
+    /// outside the view. Returns vertex runs.
     std::size_t drawChunk(const GpuScene& scene, const SurfaceChunk& chunk, const BatchView& view,
                           const glm::dvec3& eye, const SurfaceShading& shading);
 
@@ -108,35 +113,35 @@ class SurfacePass {
     };
     struct Variant {
         AlphaMode alphaMode;
-        std::optional<MaterialFeatures> material; ///< of material.frag
-        const std::vector<std::string>* map;      ///< ShadowMapLookup::defines; null: looks up none
+        std::optional<MaterialFeatures> material; ///< of material.frag; null: surface.frag
+        const std::vector<std::string>* map;      ///< ShadowMapLookup::defines; null: no map
         std::optional<PrimitiveMapVariant> primitives;
-        bool softMap;        ///< the map is that of a light with an extent
-        bool pcss;           ///< which gets percentage-closer soft shadows
-        bool rectangle;      ///< and is a rectangle
-        bool plain;          ///< full shading of what needs no material.frag
-        bool linear;         ///< light itself is written, not the display's colours
-        bool softTerminator; ///< dims the light where it grazes facets
+        bool softMap;        ///< the map belongs to a light with an extent
+        bool pcss;           ///< the map is filtered by percentage-closer soft shadows
+        bool rectangle;      ///< the light is a rectangle
+        bool plain;          ///< full shading that needs no material.frag
+        bool linear;         ///< writes linear light, not display colours
+        bool softTerminator; ///< dims light that grazes facets
         bool catcher;        ///< shows the background, darker in shadow
         bool textured;
-        bool colored; ///< has colours at its vertices
+        bool colored; ///< has vertex colours
         bool lit;
-        int lightList;     ///< lit by lists by tile, none longer; 0: not
-        bool falloff;      ///< lit by a light that falls off with the square of the distance
-        bool withAmbient;  ///< with ambient light, too
-        bool directional;  ///< lit by a light of one direction
-        bool ranged;       ///< lit by a light that doesn't reach everywhere
+        int lightList;     ///< lit by the tiles' lists, none longer than this; 0: not
+        bool falloff;      ///< the light falls off with the square of the distance
+        bool withAmbient;  ///< and lit by ambient light
+        bool directional;  ///< lit by a directional light
+        bool ranged;       ///< lit by a light with a range
         bool spot;         ///< lit by a light with a cone
         bool mask;         ///< draws the lit mask
         bool sliced;       ///< has a farthest depth
-        bool coarse;       ///< looks up a mask of lower resolution
-        bool visibility;   ///< looks up how much of the light is seen
-        bool planes;       ///< draws what such a mask stores of surfaces
-        bool nearness;     ///< draws how near they are
-        bool orthographic; ///< looks it up or draws it for such a picture
-        bool alphaLookup;  ///< finds its alpha by an AlphaLookup
-        bool sided;        ///< its vertices know which side the light is on
-        bool selfShadowed; ///< is dark where its normal says so
+        bool coarse;       ///< samples a mask of lower resolution
+        bool visibility;   ///< samples the light's visible share
+        bool planes;       ///< draws the surfaces' planes for such a mask
+        bool nearness;     ///< draws the surfaces' nearness
+        bool orthographic; ///< samples or draws any of these in an orthographic view
+        bool alphaLookup;  ///< takes its alpha from an AlphaLookup
+        bool sided;        ///< its vertices know which side faces the light
+        bool selfShadowed; ///< is dark where its normal faces away from the light
 
         auto key() const {
             return std::tie(alphaMode, material, map, primitives, softMap, pcss, rectangle, plain,
@@ -147,7 +152,7 @@ class SurfacePass {
         }
         bool operator<(const Variant& other) const { return key() < other.key(); }
     };
-    /// Of SurfaceVertex or SidedVertex, or of SurfaceDetail, as the variants that need it read it.
+    /// The buffer that holds an attribute: SurfaceVertex or SidedVertex, or SurfaceDetail.
     enum class Buffer { vertices, details };
     struct Attribute {
         const char* name;

@@ -1,4 +1,4 @@
-// Renderer's surfaces: all that is visible, drawn as the frame needs it.
+// Renderer: opaque surfaces, in each form that a frame needs.
 
 #include "src/gl/framebuffer_keeper.hpp"
 #include "src/render/frame/frame.hpp"
@@ -44,14 +44,14 @@ void Renderer::drawNearness(const GpuScene& scene, const FrameView& view) {
     glEnable(GL_DITHER);
 }
 
-/// Depth and planes of what is visible, for the masks of all lights.
+/// Draws depth and planes of visible surfaces, for the masks of all lights.
 void Renderer::drawCoarseSurfaces(const SlicePass& pass) {
     const StageScope stage(pass.clock, FrameStage::volumes);
     const gl::FramebufferKeeper keeper;
     coarse_->bindSurfaces();
     const gl::ScissorScope cut(scaledReach(pass.plan.reach, pass.view, coarse_->size()));
     set(passes::surfaces);
-    glDisable(GL_DITHER); // the bytes are no colour
+    glDisable(GL_DITHER); // the bytes are not colours
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const PlaneSpace planes = coarse_->space(pass.view, pass.slice);

@@ -9,14 +9,14 @@
 
 namespace edgeshade {
 
-/// The techniques that a renderer's lights may get, as its settings have it.
+/// The techniques that a renderer's settings allow.
 class Techniques {
   public:
-    /// Throws Error(unavailable) if the GL can't do what is asked for by name, or this build lacks
-    /// it.
+    /// Throws Error(unavailable) if the GL can't do what the user requested by name, or this build
+    /// lacks it.
     Techniques(const RenderSettings& settings, const gl::Capabilities& capabilities);
 
-    /// Null: no light gets it, or it is none.
+    /// Null: no light can have it, or it is Technique::none.
     ShadowTechnique* of(Technique technique) const {
         return all_[static_cast<std::size_t>(technique)].get();
     }
@@ -53,15 +53,15 @@ class Techniques {
         return total;
     }
 
-    /// Null where shadows are never volumes.
+    /// Null if no shadows can be volumes.
     const VolumesTechnique* volumes() const {
         return static_cast<const VolumesTechnique*>(of(Technique::volumes));
     }
-    /// Null where they are no maps.
+    /// Null if shadows are not maps.
     MapTechnique* map() const { return static_cast<MapTechnique*>(of(Technique::map)); }
 
   private:
-    static constexpr std::size_t count = 6; ///< of Technique
+    static constexpr std::size_t count = 6; ///< number of values of Technique
     std::array<std::unique_ptr<ShadowTechnique>, count> all_{};
 };
 

@@ -6,10 +6,10 @@
 
 namespace edgeshade {
 
-/// How much of a light with an extent is seen from what each pixel shows, as light.glsl reads it.
+/// The visible share of a light with an extent for each pixel's surface, as light.glsl reads it.
 struct VisibilityLookup {
-    gl::Name texture = 0; ///< 0: nobody has counted
-    glm::vec2 size{1.0f}; ///< pixels
+    gl::Name texture = 0; ///< 0: nothing was counted
+    glm::vec2 size{1.0f}; ///< in pixels
 };
 
 } // namespace edgeshade

@@ -8,8 +8,9 @@
 
 namespace edgeshade {
 
-/// What draws shadow volumes with such settings; null where shadows are something else. `tints`:
-/// for debug views. Throws Error(unavailable) if the layout needs instancing and there is none.
+/// Creates the renderer of shadow volumes for these settings; null if shadows are not volumes.
+/// `tints`: for debug views. Throws Error(unavailable) if the layout needs instancing and there is
+/// none.
 std::unique_ptr<VolumeRenderer> makeVolumeRenderer(const RenderSettings& settings,
                                                    const gl::Capabilities& capabilities,
                                                    std::optional<VolumeTints> tints = {});

@@ -25,8 +25,8 @@ void VolumeTintPass::draw(GpuScene& scene, const FrameView& view, const FramePla
     glDepthFunc(GL_LESS);
     glEnable(GL_STENCIL_TEST);
     clearStencil();
-    // From near to far, slices claim the pixels that show what they hold: larger numbers first, so
-    // that GEQUAL leaves out what a nearer one has.
+    // Slices claim the pixels that show their surfaces from near to far, with descending numbers,
+    // so that GEQUAL excludes the pixels of nearer slices.
     for (std::size_t s = plan.slices.size(); s-- > 0 && light < plan.slices[s].lights.size();) {
         const LightPlan& planned = plan.slices[s].lights[light];
         const auto number = static_cast<GLint>(s + 1);

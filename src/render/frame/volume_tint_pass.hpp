@@ -6,22 +6,21 @@
 
 namespace edgeshade {
 
-/// A debug view: tints a frame's picture by what its plan drew of one light's shadow volumes,
-/// within the pixels that the light reaches. Sides where they stand in front of what is visible:
-/// orange, of volumes that are counted behind surfaces and so have caps red, and green those that
-/// count twice. Caps, and the fans that stand for them, blue wherever they are drawn (all of them
-/// lie at infinity). Of several depth slices each tints the surfaces that it holds, and the
-/// farthest what is behind all.
+/// A debug view that tints a frame's picture by the shadow volumes of one light that its plan drew,
+/// within the pixels that the light reaches. Sides in front of visible surfaces are orange; sides
+/// of volumes that are counted behind surfaces, and so have caps, are red; sides that count twice
+/// are green. Caps and fans are blue wherever they are drawn, as all lie at infinity. With several
+/// depth slices each tints its own surfaces, and the farthest also tints the background.
 class VolumeTintPass {
   public:
-    /// `settings` as those of the renderer whose plans are shown; shadows must be volumes.
+    /// `settings`: those of the renderer whose plans are shown; shadows must be volumes.
     VolumeTintPass(const RenderSettings& settings, const gl::Capabilities& capabilities);
 
-    /// Blends over the current framebuffer, whose depth and stencil it draws anew. `plan`: of the
-    /// frame that was drawn last.
+    /// Blends over the current framebuffer, and draws its depth and stencil again. `plan`: of the
+    /// last frame drawn.
     void draw(GpuScene& scene, const FrameView& view, const FramePlan& plan, std::size_t light);
 
-    static const VolumeTints tints; ///< with their shares in alpha
+    static const VolumeTints tints; ///< alpha is the tint's share
 
   private:
     void drawSurfaces(const GpuScene& scene, const FrameView& view, const DepthSlice& slice);

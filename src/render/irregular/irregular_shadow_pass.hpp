@@ -13,35 +13,36 @@
 
 namespace edgeshade {
 
-/// Shadows by an IrregularZBuffer, which the processor asks of each visible point whether something
-/// is between it and the light: exact as volumes are, and nothing is filled (docs/method.md, C46).
+/// Shadows from an IrregularZBuffer: the processor tests each visible point for casters between it
+/// and the light. The result is as exact as with volumes, and nothing is filled (docs/method.md,
+/// C46).
 class IrregularShadowPass {
   public:
     explicit IrregularShadowPass(const gl::Capabilities& capabilities);
 
-    /// The framebuffer shows other surfaces from now on.
+    /// Call when the framebuffer shows other surfaces.
     void forgetSurfaces() { known_ = false; }
 
-    /// Marks what of a slice's surfaces in the current framebuffer is in the light's shadow: the
-    /// stencil, which must be 0, is not 0 there. Colour and depth masks are the caller's state, as
-    /// are the viewport, the picture's, and the scissor, which is `reach`. `area`: the same for any
-    /// light of the slice, and around `reach`. Leaves the depth test on, the stencil's test on.
-    /// Throws Error(unavailable) where the GL can't tell what each pixel shows.
-    /// `animatedAlone`: casters that no animation moves are looked up elsewhere.
+    /// Marks the light's shadow on a slice's surfaces in the current framebuffer: the stencil,
+    /// which must be 0, is not 0 there. The colour and depth masks, the viewport (the picture's)
+    /// and the scissor (`reach`) are the caller's state. `area`: contains `reach`, and is the same
+    /// for every light of the slice. Leaves the depth test and the stencil test on. Throws
+    /// Error(unavailable) if the GL can't find the triangle of each pixel. `animatedAlone`: other
+    /// casters are in a lookup.
     void mark(const GpuScene& scene, const FrameView& view, const DepthSlice& slice,
               const Light& light, const PixelRectangle& reach, const PixelRectangle& area,
               bool animatedAlone);
 
-    /// On the GPU.
+    /// Memory on the GPU.
     std::size_t bytes() const {
         return static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) +
                numbers_.bytes();
     }
 
   private:
-    /// The casters of a geometry, as long as batches have it.
+    /// The casters of a geometry, kept as long as any batch has it.
     struct Kept {
-        CopyOnWrite<Geometry> geometry; ///< it is shared, so that nobody edits it in place
+        CopyOnWrite<Geometry> geometry; ///< shared, so that nobody edits it in place
         std::shared_ptr<const int> scene;
         CasterRuns casters{};
         bool used = true;
@@ -52,9 +53,9 @@ class IrregularShadowPass {
     SurfaceNumbers numbers_;
     WholePicture picture_;
     gl::Texture texture_;
-    glm::ivec2 size_{0}; ///< the texture's
+    glm::ivec2 size_{0}; ///< size of the texture
     SeenTriangles seen_;
-    bool known_ = false; ///< it is what the framebuffer shows
+    bool known_ = false; ///< `seen_` matches the framebuffer
     std::map<const Geometry*, Kept> kept_;
 };
 

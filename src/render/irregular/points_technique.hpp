@@ -5,7 +5,7 @@
 
 namespace edgeshade {
 
-/// Each visible point is asked whether it is in shadow (docs/method.md, C46).
+/// Tests each visible point for shadow (docs/method.md, C46).
 class PointsTechnique : public ShadowTechnique {
   public:
     explicit PointsTechnique(const gl::Capabilities& capabilities) : pass_(capabilities) {}

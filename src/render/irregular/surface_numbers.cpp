@@ -17,7 +17,7 @@ namespace {
 
 struct NumberedVertex {
     glm::vec3 position;
-    float number; ///< of its triangle, among the geometry's
+    float number; ///< number of its triangle in the geometry
     glm::vec2 texcoord;
     float alpha;
 };
@@ -50,7 +50,7 @@ void SurfaceNumbers::fit(int width, int height) {
     const bool flipped = bound == 0 && capabilities_.framebufferFlip;
     if (size_ == glm::ivec2(width, height) && flipped == flipped_) return;
     const gl::FramebufferKeeper keeper;
-    size_ = glm::ivec2(0); // should anything be refused
+    size_ = glm::ivec2(0); // in case the GL refuses below
     flipped_ = flipped;
     target_ = gl::ColorTarget(width, height);
     depth_.emplace(width, height, capabilities_);

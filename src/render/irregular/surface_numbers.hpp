@@ -13,19 +13,19 @@
 
 namespace edgeshade {
 
-/// Which triangle each pixel shows, as the GL's own rasteriser has it: surfaces are drawn once
-/// more, in the colours of their numbers, with a depth buffer of their own, and read back.
+/// Finds the triangle that each pixel shows, as the GL's own rasteriser decides it: draws surfaces
+/// again in the colours of their numbers, with a depth buffer of its own, and reads them back.
 class SurfaceNumbers {
   public:
     static constexpr std::size_t mostTriangles = (std::size_t{1} << 24) - 1;
 
     explicit SurfaceNumbers(const gl::Capabilities& capabilities) : capabilities_(capabilities) {}
 
-    /// What a slice shows in `area`. Leaves the framebuffer, its scissor and its depth range as
-    /// they were; colour and depth are written, depths LESS are taken, blending, culling and the
-    /// stencil's test are off, dithering is on. Throws Error(unavailable) where the GL can't draw
-    /// so, or there are more than mostTriangles. The scene's batches must stay as they are while
-    /// `seen` is asked.
+    /// Finds the triangles that a slice shows in `area`. Leaves the framebuffer, its scissor and
+    /// its depth range as they were; afterwards colour and depth are written, the depth function is
+    /// LESS, blending, culling and the stencil test are off, dithering is on. Throws
+    /// Error(unavailable) if the GL can't draw this way, or there are more than mostTriangles. The
+    /// scene's batches must stay as they are while `seen` is in use.
     void find(const GpuScene& scene, const FrameView& view, const DepthSlice& slice,
               const PixelRectangle& area, SeenTriangles& seen);
 
@@ -37,9 +37,9 @@ class SurfaceNumbers {
 
         auto operator<=>(const Variant&) const = default;
     };
-    /// The triangles of a geometry, each with its own vertices; as long as batches have it.
+    /// The triangles of a geometry, each with its own vertices, kept as long as any batch has it.
     struct Kept {
-        CopyOnWrite<Geometry> geometry; ///< it is shared, so that nobody edits it in place
+        CopyOnWrite<Geometry> geometry; ///< shared, so that nobody edits it in place
         std::shared_ptr<const int> scene;
         std::vector<std::uint8_t> casts; ///< by triangle
         gl::Buffer vertices;
@@ -57,10 +57,10 @@ class SurfaceNumbers {
     gl::ColorTarget target_;
     std::optional<gl::DepthStencil> depth_;
     glm::ivec2 size_{0};
-    bool flipped_ = false; ///< as the default framebuffer's rows lie
+    bool flipped_ = false; ///< rows are in the default framebuffer's order
     std::map<const Geometry*, Kept> kept_;
     std::map<Variant, gl::Program> programs_;
-    std::vector<std::uint8_t> pixels_; ///< as they were read
+    std::vector<std::uint8_t> pixels_; ///< as read back
 };
 
 } // namespace edgeshade

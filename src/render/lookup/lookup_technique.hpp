@@ -4,8 +4,8 @@
 
 namespace edgeshade {
 
-/// Lights at rest are looked up in their primitive maps (docs/method.md, Looked up), which
-/// prepareScene() has made.
+/// Looks up the shadows of lights at rest in their primitive maps (docs/method.md, Primitive maps),
+/// which prepareScene() has made.
 class LookupTechnique : public ShadowTechnique {
   public:
     const GpuPrimitiveMap* primitivesOf(const GpuScene& scene, const Light& light) const override {

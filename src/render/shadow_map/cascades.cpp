@@ -6,11 +6,11 @@
 namespace edgeshade {
 namespace {
 
-/// How much splits are of equal ratios: the more, the finer the first ones are. Not tuned by
-/// measurement.
+/// Weight of equal ratios in the splits: a larger weight makes the first cascades finer. Not tuned
+/// by measurement.
 constexpr double ratioShare = 0.75;
 
-/// Depths are taken in these steps, since what is visible changes from frame to frame.
+/// Steps per octave to which depths are rounded, since visible depths change from frame to frame.
 constexpr double stepsOfTwo = 4.0;
 
 double stepBelow(double depth) {
@@ -20,28 +20,31 @@ double stepAbove(double depth) {
     return std::exp2(std::ceil(std::log2(depth) * stepsOfTwo) / stepsOfTwo);
 }
 
-/// The depths to be divided.
+/// The depths to divide.
 DepthRange visibleDepths(const FrameView& frame) {
     DepthRange depths{frame.near(), std::max(frame.farthestDepth, frame.near())};
-    if (frame.frustum.orthographic) return depths; // of any sign, and no end is finer
+    if (frame.frustum.orthographic)
+        return depths; // depths may have any sign, and need no finer
+                       // part
     depths.nearest = stepBelow(depths.nearest);
     depths.farthest = std::max(stepAbove(depths.farthest), 1.01 * depths.nearest);
     return depths;
 }
 
 struct WindowBall {
-    glm::dvec3 middle{0.0}; ///< from the camera, as it looks
+    glm::dvec3 middle{0.0}; ///< in view space
     double radius = 0.0;
 };
 
-/// Around the window between two depths. Depends on these and the window alone, bit for bit.
+/// A ball around the part of the frustum between two depths. Depends on these and on the window
+/// alone, bit for bit.
 WindowBall ballAround(const Frustum& frustum, double near, double far) {
     const glm::dvec2 center = 0.5 * (frustum.low + frustum.high), half = 0.5 * frustum.size();
     const auto at = [&](const glm::dvec2& window, double depth) {
         const double wide = frustum.orthographic ? 1.0 : depth;
         return glm::dvec3(window * wide, -depth);
     };
-    // As far from the corners of both ends, if that is between these.
+    // Equally far from the corners of both ends, if that point lies between them.
     double depth = 0.5 * (near + far);
     if (!frustum.orthographic) depth = std::min(depth * (1.0 + glm::dot(half, half)), far);
     WindowBall ball;
@@ -73,7 +76,7 @@ std::vector<CascadeSquare> cascadeSquares(const FrameView& frame, const glm::dma
     const DepthRange depths = visibleDepths(frame);
     const glm::dmat4 worldFromView = glm::inverse(frame.frustum.viewFromWorld);
     std::vector<double> ends;
-    if (frame.frustum.orthographic) // one texel a pixel is as good at any depth
+    if (frame.frustum.orthographic) // one texel per pixel suits every depth alike
         ends = {depths.farthest};
     else
         ends = cascadeEnds(depths.nearest, depths.farthest, count);
@@ -83,7 +86,7 @@ std::vector<CascadeSquare> cascadeSquares(const FrameView& frame, const glm::dma
         const WindowBall ball = ballAround(frame.frustum, begin, end);
         const glm::dvec3 middle(worldFromView * glm::dvec4(ball.middle, 1.0));
         CascadeSquare square;
-        // Snapping moves it by half a texel.
+        // Snapping moves the square by up to half a texel.
         const double half = ball.radius * texels / (texels - 1.0);
         const double texel = 2.0 * half / texels;
         bool all = true;

@@ -7,7 +7,7 @@
 
 namespace edgeshade {
 
-/// Surfaces look up shadow maps.
+/// Surfaces sample shadow maps.
 class MapTechnique : public ShadowTechnique {
   public:
     explicit MapTechnique(std::unique_ptr<ShadowMapPass> pass) : pass_(std::move(pass)) {}

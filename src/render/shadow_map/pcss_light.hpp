@@ -4,15 +4,17 @@
 
 namespace edgeshade {
 
-/// A light's extent as percentage-closer soft shadows look for it in the map of its centre
+/// A light's extent, as percentage-closer soft shadows use it with the map of the light's centre
 /// (shaders_es2/pcss.glsl). Map space: see ShadowMapView.
 struct PcssLight {
     bool rectangle = false;
-    float radius = 0.0f;              ///< of a sphere, in map space; of a disc its angle's tangent
-    glm::vec3 across{0.0f}, up{0.0f}; ///< halves of a rectangle, in map space
-    glm::vec3 facing{0.0f};           ///< where a rectangle does, of length 1
-    float leastSpread = 0.0f;         ///< what makes a penumbra as wide as a texel; of cubes at 1
-    float nearestCaster = 0.0f;       ///< of a point light, in map space
+    float radius = 0.0f;              ///< a sphere's radius in map space; a disc's is the tangent
+                                      ///< of its angle
+    glm::vec3 across{0.0f}, up{0.0f}; ///< half edges of a rectangle, in map space
+    glm::vec3 facing{0.0f};           ///< a rectangle's direction, of length 1
+    float leastSpread = 0.0f;         ///< the extent that makes a penumbra one texel wide; for
+                                      ///< cubes at distance 1
+    float nearestCaster = 0.0f;       ///< point lights only, in map space
 };
 
 } // namespace edgeshade

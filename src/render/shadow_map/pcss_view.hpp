@@ -6,7 +6,7 @@
 
 namespace edgeshade {
 
-/// `light`: with an extent, as its shape wants it (LightExtent); `view`: of its centre.
+/// `light`: must have an extent that suits its kind (LightExtent); `view`: of its centre.
 PcssLight pcssLight(const Light& light, const ShadowMapView& view);
 
 } // namespace edgeshade

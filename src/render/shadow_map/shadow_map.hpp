@@ -13,55 +13,59 @@
 
 namespace edgeshade {
 
-/// What lights with an extent get of their shadow maps.
+/// How shadow maps serve lights with an extent.
 enum class SoftShadows {
-    none, ///< hard shadows of their points, each with a map, added up
-    pcf,  ///< the map of their centre, filtered as wide as any
-    pcss, ///< percentage-closer soft shadows (Fernando 2005) of the map of their centre
+    none, ///< hard shadows of their points, one map each, added up
+    pcf,  ///< one map of their centre, with the usual filter
+    pcss, ///< percentage-closer soft shadows (Fernando 2005) from one map of their centre
 };
 
-/// Which maps lights get: some of them are of suns alone, or of lamps alone; the others get the
-/// first.
+/// The kind of maps that lights get. Some kinds are for suns only or for lamps only; the other
+/// lights get cube.
 enum class MapKind {
-    cube,       ///< six faces around a lamp; of a sun one map of all casters
-    cascades,   ///< of a sun several, of what is visible near the eye and farther off
-    paraboloid, ///< of a lamp two, of all directions up and down
-    warped,     ///< of a sun one, whose texels are where most is visible
+    cube,       ///< lamps: six faces around the light; suns: one map of all casters
+    cascades,   ///< suns: several maps, of the visible geometry near the eye and farther away
+    paraboloid, ///< lamps: two maps, of all directions up and down
+    warped,     ///< suns: one map, with more texels where more is visible
 };
 
-/// How the texels of MapKind::warped get there.
+/// The grid that places the texels of MapKind::warped.
 enum class WarpGrid {
-    rectilinear,   ///< columns and rows of their own widths and heights (Rosen 2012)
-    nonOrthogonal, ///< each row's columns are its own, and so on (Milet et al. 2015)
+    rectilinear,   ///< columns and rows with widths and heights of their own (Rosen 2012)
+    nonOrthogonal, ///< columns differ from row to row, and rows from column to column (Milet et al.
+                   ///< 2015)
 };
 
-/// What is made of a map's texels around a place.
+/// How a map's texels around a position are combined.
 enum class MapFilter {
-    compare,     ///< each of pcf x pcf is compared: percentage-closer filtering, or one alone
-    poisson,     ///< so are sixteen in a disc pcf texels wide, turned in every pixel
+    compare,     ///< pcf x pcf texels are each compared: percentage-closer filtering, or a single
+                 ///< texel
+    poisson,     ///< sixteen texels in a disc pcf texels wide, rotated in every pixel, are each
+                 ///< compared
     variance,    ///< a variance map (Donnelly and Lauritzen 2006), filtered pcf texels wide
-    exponential, ///< an exponential map (Annen et al. 2008), likewise
-    moments,     ///< a map of four moments (Peters and Klein 2015), likewise
+    exponential, ///< an exponential map (Annen et al. 2008), filtered likewise
+    moments,     ///< a map of four moments (Peters and Klein 2015), filtered likewise
 };
 
 inline constexpr int mostCascades = 4;
 
-/// How shadow maps are made and read.
+/// How shadow maps are drawn and sampled.
 struct ShadowMapSettings {
-    int size = 2048;         ///< texels along an edge, of each face of a cube; at least 16
-    float biasTexels = 1.5f; ///< in texels as large as they are on the receiver
-    int pcf = 1;             ///< how many texels wide the filter is; odd, 1: a single one
-    SoftShadows soft = SoftShadows::none; ///< pcss: of MapKind::cube and MapFilter::compare
-    bool facesApart = false; ///< a cube's faces apart even where the GL holds them in one texture
+    int size = 2048;                      ///< texels along an edge of each face; at least 16
+    float biasTexels = 1.5f;              ///< in texels, at their size on the receiver
+    int pcf = 1;                          ///< the filter's width in texels; odd, 1: a single texel
+    SoftShadows soft = SoftShadows::none; ///< pcss needs MapKind::cube and MapFilter::compare
+    bool facesApart = false; ///< a texture for each face of a cube, even if the GL can hold all in
+                             ///< one
     MapKind kind = MapKind::cube;
     int cascades = mostCascades; ///< 1..mostCascades
     MapFilter filter = MapFilter::compare;
-    WarpGrid warp = WarpGrid::rectilinear; ///< of MapKind::warped
-    /// What of light in half shadow is taken for light that bleeds through several casters, 0..1;
-    /// nothing: as much as usual, 0.2 of variance maps, 0.02 of moments.
+    WarpGrid warp = WarpGrid::rectilinear; ///< for MapKind::warped
+    /// Share of light in half shadow that counts as light bleeding through several casters, 0..1;
+    /// null: the usual, 0.2 for variance maps, 0.02 for moments.
     std::optional<float> bleeding{};
 
-    /// Whether they need nothing of what Rivals::maps() adds.
+    /// Whether the library's own maps suffice, without those of Rivals::maps().
     bool isPlain() const {
         return (kind == MapKind::cube || kind == MapKind::cascades) && filter == MapFilter::compare;
     }
@@ -70,42 +74,42 @@ struct ShadowMapSettings {
 /// The textures of a light's map.
 struct MapForm {
     bool parallel = false; ///< the light is a sun
-    bool cube = false;     ///< all faces are in one cube map; else each is a flat texture
-    int faces = 1;         ///< six of a cube, one of a single map, or cascades
+    bool cube = false;     ///< one cube map holds all faces; otherwise each is a flat texture
+    int faces = 1;         ///< six for a cube, one for a single map, or the number of cascades
 
     bool operator==(const MapForm&) const = default;
 };
 
-/// Sets what receivers' shaders read of a map beyond what all maps have.
+/// Sets uniforms of the receivers' shaders beyond those that all maps have.
 class MapUniforms {
   public:
     virtual ~MapUniforms() = default;
-    /// `unit`: the first texture unit that they may take.
+    /// `unit`: the first texture unit available.
     virtual void set(gl::Program& program, int unit) const = 0;
-    virtual int units() const = 0; ///< how many they take
+    virtual int units() const = 0; ///< number of units it takes
 };
 
-/// A light's finished map, with what a receiver needs to look itself up in it.
+/// A light's finished map, with the data that receivers need to sample it.
 struct ShadowMapLookup {
-    std::array<gl::Name, 6> textures{}; ///< of a cube map one
-    int faces = 0;                      ///< how many textures; of a cube map 0
-    /// #defines of the receivers' shaders; they live as long as what drew the map.
+    std::array<gl::Name, 6> textures{}; ///< one for a cube map
+    int faces = 0;                      ///< number of flat textures; 0 for a cube map
+    /// #defines of the receivers' shaders; they live as long as the pass that drew the map.
     const std::vector<std::string>* defines = nullptr;
     glm::dmat4 mapFromWorld{1.0}; ///< see ShadowMapView
-    float step = 0.0f;  ///< from texel to texel in the map; of a point light's at distance 1
-    float texel = 0.0f; ///< the same as a length in the world
+    float step = 0.0f;  ///< distance between texels in the map; for a point light at distance 1
+    float texel = 0.0f; ///< the same distance as a length in the world
     float biasTexels = 0.0f;
-    bool soft = false; ///< of a light with an extent, instead of maps of its points
+    bool soft = false; ///< for a light with an extent, in place of maps of its points
     std::optional<PcssLight> pcss{};
     float share = 1.0f;       ///< see ShadowMapView
-    glm::vec3 mapScale{1.0f}; ///< map space per length in the world, along each axis
-    /// See ShadowMapView: one for each texture of cascades; else none.
+    glm::vec3 mapScale{1.0f}; ///< map space per world length, along each axis
+    /// See ShadowMapView: one for each texture of cascades; otherwise empty.
     std::array<glm::vec4, mostCascades> cascades{};
     std::size_t cascadeCount = 0;
     float cascadeMargin = 0.0f;           ///< see ShadowMapView
-    const MapUniforms* further = nullptr; ///< null: all maps' are enough
+    const MapUniforms* further = nullptr; ///< null: nothing beyond what all maps have
 
-    /// How many texture units they take.
+    /// Number of texture units that the map takes.
     int units() const { return std::max(faces, 1) + (further ? further->units() : 0); }
 };
 

@@ -152,7 +152,7 @@ void ShadowMapPass::drawFaces(const MapTask& task) {
     glDisable(GL_BLEND);
     glDisable(GL_STENCIL_TEST);
     glDisable(GL_CULL_FACE);
-    glDisable(GL_DITHER); // the bytes are no colour
+    glDisable(GL_DITHER); // the bytes are not colours
     glClearColor(1.0f, 1.0f, 1.0f, 1.0f);
     for (std::size_t face = 0; face < task.view.faces.size(); ++face) {
         task.map.bindFace(face);
@@ -173,7 +173,8 @@ void ShadowMapPass::drawFace(const MapTask& task, std::size_t face) {
         for (const SurfaceChunk& chunk : *batch.surfaces) {
             const Material& material = scene.materials[chunk.material];
             if (!scene.castsInMaps(material) || isBeyond(chunk.bounds, source, range)) continue;
-            // A map can hold cutouts; BLEND surfaces, which only cast when asked to, are whole.
+            // A map can have cutouts of MASK casters; BLEND surfaces, which cast only on request,
+            // are whole.
             gl::Program& used = program(task.map.form(), material.alphaMode == AlphaMode::mask);
             setProjection(used, task, face, mapFromObject);
             used.set("u_mapFromObject", glm::mat4(mapFromObject));

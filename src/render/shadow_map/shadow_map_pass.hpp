@@ -11,15 +11,15 @@
 
 namespace edgeshade {
 
-/// Draws shadow maps (Williams 1978), the method that shadow volumes are measured against: six
-/// faces of a cube around a point light, one parallel projection or several for a directional
-/// light. One map for lamps and one for suns are kept, and drawn again only for another light,
-/// where something has moved, or when cascades move by a texel.
+/// Draws shadow maps (Williams 1978), the baseline for shadow volumes: six faces of a cube around a
+/// point light, one parallel projection or several for a directional light. It keeps one map for
+/// lamps and one for suns, and draws a map again only for another light, or when something has
+/// moved, or when cascades move by a texel.
 ///
-/// Further kinds and filters of maps derive from it (Rivals::maps()).
+/// Other kinds and filters of maps derive from this class (Rivals::maps()).
 class ShadowMapPass {
   public:
-    /// `texelWidth`: texels of a texture, side by side, that a map's texel takes. Throws
+    /// `texelWidth`: number of adjacent texture texels that one map texel takes. Throws
     /// Error(unavailable) if the maps are larger than the GL allows.
     ShadowMapPass(const ShadowMapSettings& settings, const gl::Capabilities& capabilities,
                   int texelWidth = 1);
@@ -29,27 +29,26 @@ class ShadowMapPass {
     virtual void beginFrame(const FrameStart&) {}
 
     /// Draws the light's map of all casters in its range, from both sides, for what `frame` shows.
-    /// The framebuffer stays bound and the scissor as it is; viewport, depth, stencil and blending
-    /// state are left changed. The map is valid until the next call.
+    /// Keeps the framebuffer binding and the scissor; changes the viewport and the depth, stencil
+    /// and blending state. The map is valid until the next call.
     ShadowMapLookup draw(const GpuScene& scene, const FrameView& frame, const Light& light);
 
-    /// Sets the bias of lookups from now on.
+    /// Sets the bias for further lookups.
     void setBias(float texels) { settings_.biasTexels = texels; }
 
-    /// The map that the light gets, for people: "up to 4 cascades of 2048 x 2048 texels, compared,
-    /// 3 wide".
+    /// Describes the light's map: "up to 4 cascades of 2048 x 2048 texels, compared, 3 wide".
     std::string words(const Light& light) const;
 
     /// Bytes of all maps that were needed so far.
     virtual std::size_t bytes() const;
-    /// Bytes of the map that lights of this light's kind share; 0 before one was drawn.
+    /// Bytes of the shadow map that lights of this kind share; 0 before it is first drawn.
     virtual std::size_t bytesOf(const Light& light) const;
 
-    /// Vertices that the last call of draw() sent through shaders: 0 where the map was kept.
+    /// Vertices shaded by the last call of draw(): 0 if it kept the map.
     std::size_t vertexRuns() const { return vertexRuns_; }
 
   protected:
-    /// One map, as it is drawn.
+    /// One map to draw.
     struct MapTask {
         const GpuScene& scene;
         const Light& light;
@@ -64,18 +63,18 @@ class ShadowMapPass {
     virtual std::vector<std::string> casterDefines(const MapForm& form) const;
     /// #defines of shadow_map_lookup.glsl.
     virtual std::vector<std::string> receiverDefines(const MapForm& form) const;
-    /// Draws all casters into a face that is bound and clear.
+    /// Draws all casters into a face that is bound and cleared.
     virtual void drawFace(const MapTask& task, std::size_t face);
-    /// Tells the program where the face shows casters.
+    /// Sets the program's projection for the face.
     virtual void setProjection(const gl::Program& program, const MapTask& task, std::size_t face,
                                const glm::dmat4& mapFromObject) const;
-    /// Comes after all faces are drawn.
+    /// Runs after all faces are drawn.
     virtual void finish(const MapTask&) {}
     virtual const MapUniforms* further(const Light&) { return nullptr; }
     virtual std::string faceWords(const Light& light) const;
     virtual std::string filterWords() const { return "compared"; }
 
-    /// In use.
+    /// Returns the program, in use.
     gl::Program& program(const MapForm& form, bool alphaTest);
 
     ShadowMapSettings settings_;
@@ -83,21 +82,21 @@ class ShadowMapPass {
     std::size_t vertexRuns_ = 0;
 
   private:
-    /// What a map shows.
+    /// Everything that a map's contents depend on.
     struct Drawn {
         std::shared_ptr<const int> scene; ///< GpuScene::identity; held, so that it stays unique
         ShadowMapView view;
         std::vector<std::pair<glm::dmat4, bool>> batches; ///< worldFromBatch, hidden
         bool cutoutsCast;
-        double range; ///< of the light, out of which nothing is drawn
+        double range; ///< the light's range, beyond which nothing is drawn
 
         bool operator==(const Drawn&) const = default;
     };
-    /// A map that is kept: for lamps, or for suns.
+    /// A kept map: the one for lamps, or the one for suns.
     struct Kept {
         ShadowMapTarget target;
         std::vector<std::string> defines; ///< receiverDefines()
-        std::optional<Drawn> drawn{};     ///< what the target holds
+        std::optional<Drawn> drawn{};     ///< the target's contents
     };
     static MapSubject subjectOf(const GpuScene& scene, const Box& bounds);
     static Drawn drawnOf(const GpuScene& scene, const ShadowMapView& view, const Light& light);

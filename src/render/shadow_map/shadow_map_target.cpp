@@ -15,7 +15,7 @@ GLenum faceTarget(bool cube, std::size_t face) {
     return cube ? GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face) : GL_TEXTURE_2D;
 }
 
-/// A texture of one face, or of a cube's six; nothing if the GL has no memory for it.
+/// Creates a texture of one face, or of a cube's six; null if the GL has no memory for it.
 std::optional<gl::Texture> makeMapTexture(bool cube, int width, int size) {
     gl::Name name = 0;
     glGenTextures(1, &name);

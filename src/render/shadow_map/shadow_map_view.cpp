@@ -27,7 +27,8 @@ constexpr CubeFace cubeFaces[] = {
     {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}},   {{0, -1, 0}, {1, 0, 0}, {0, 0, -1}},
     {{0, 0, 1}, {1, 0, 0}, {0, -1, 0}},  {{0, 0, -1}, {-1, 0, 0}, {0, -1, 0}}};
 
-/// Whether some corner is on the inside of each plane through the light around the face's texture.
+/// Whether, for each plane through the light around the face's texture, some corner is on its
+/// inside.
 bool sees(const CubeFace& face, double share, const std::array<glm::dvec3, 8>& offsets) {
     const glm::dvec3 s = share * face.s, t = share * face.t;
     for (const glm::dvec3& plane : {face.axis + s, face.axis - s, face.axis + t, face.axis - t})
@@ -37,7 +38,7 @@ bool sees(const CubeFace& face, double share, const std::array<glm::dvec3, 8>& o
     return true;
 }
 
-/// What of the bounds the light may reach: empty where nothing.
+/// The part of the bounds that the light may reach; empty if none.
 Box reached(const Box& bounds, const glm::dvec3& light, double range) {
     return {glm::max(bounds.low, light - range), glm::min(bounds.high, light + range)};
 }
@@ -51,8 +52,8 @@ glm::dmat3 lightAxes(const glm::dvec3& towards) {
     return {right, glm::cross(back, right), back};
 }
 
-/// A box around all casters in the light's axes, which is tighter than one around their box in the
-/// world; from the middle of the scene, so that doubles keep their digits far from the origin.
+/// A box around all casters in the light's axes, tighter than one around their box in the world.
+/// Its origin is the scene's middle, so that doubles keep their digits far from the world's origin.
 Box castersInLight(const MapSubject& subject, const glm::dmat3& worldFromLight) {
     const glm::dmat3 lightFromWorld = glm::transpose(worldFromLight);
     const glm::dvec3 center = subject.bounds.center();
@@ -89,8 +90,8 @@ ShadowMapView pointMapView(const glm::dvec3& light, const Box& sceneBounds, doub
     }
     const double range = farthest > 0.0 ? 1.01 * farthest : 1.0;
 
-    // As far out as the bounds allow. With the light inside them, where it clips away as much as
-    // the depth buffer then can't tell apart at the far end: near = far / 2^(bits / 2).
+    // Put the near plane as far out as the bounds allow. If the light is inside them, clip as much
+    // near it as the depth buffer can't resolve at the far end: near = far / 2^(bits / 2).
     double near = std::exp2(-0.5 * depthBits);
     const glm::dvec3 outside = glm::max(bounds.low - light, light - bounds.high);
     near = std::max(near, 0.99 * std::max({outside.x, outside.y, outside.z}) / range);
@@ -130,7 +131,7 @@ ShadowMapView sunMapView(const glm::dvec3& towards, const MapSubject& subject,
     const bool cascaded = settings.kind == MapKind::cascades;
     if (cascaded) half.x = half.y = std::max(half.x, half.y); // texels are square everywhere
 
-    // A frame of empty texels; a little room in depth.
+    // Leave a frame of empty texels, and a little room in depth.
     const double margin = frameTexels(settings);
     const double inner = settings.size - 2.0 * margin;
     const double share = inner / settings.size;

@@ -10,12 +10,12 @@
 
 namespace edgeshade {
 
-/// Where a light's map looks from, in double.
+/// A light map's projections, in double.
 ///
-/// Map space is what the map stores positions in. For a point light it has the world's axes, the
-/// light as its origin and the range as its unit, and a position's distance is its length: the same
-/// on every face of the cube. For a directional light xy are texture coordinates, of its one map or
-/// of an imagined one of which each cascade is a part; z is the distance.
+/// Map space is the space in which the map stores positions. For a point light it has the world's
+/// axes, the light as its origin and the range as its unit; the stored distance is the position's
+/// length, the same on every face of the cube. For a directional light xy are texture coordinates,
+/// of its single map or of an imagined map that all cascades are parts of; z is the distance.
 struct ShadowMapView {
     struct Face {
         glm::dmat4 clipFromMap{1.0};
@@ -25,42 +25,45 @@ struct ShadowMapView {
     };
 
     glm::dmat4 mapFromWorld{1.0};
-    std::vector<Face> faces; ///< a cube's in the order of GL's targets, cascades, or one
+    std::vector<Face> faces; ///< cube faces in the order of GL's targets, cascades, or one
     double step = 0.0;       ///< see ShadowMapLookup
     double texel = 0.0;
     double near = 0.0; ///< no caster is nearer to the light, in map space
     double share =
-        1.0; ///< of a texture's width, what a point light's face takes; the rest is a margin
-    /// Cascades, the finest first: a place's xy, times xy, plus zw, in its texture.
+        1.0; ///< share of a texture's width that a point light's face takes; the rest is a margin
+    /// Cascades, the finest first: their texture coordinates are a position's xy times this xy,
+    /// plus this zw.
     std::vector<glm::dvec4> cascades{};
-    double cascadeMargin = 0.0; ///< what lookups may reach, as a share of a cascade's texture
-    std::size_t revision = 0;   ///< tells projections apart that are more than these matrices
+    double cascadeMargin = 0.0; ///< how far lookups may reach outside, as a share of a cascade's
+                                ///< texture
+    std::size_t revision = 0;   ///< distinguishes projections that these matrices don't fully
+                                ///< describe
 
     bool operator==(const ShadowMapView&) const = default;
-    glm::dvec3 scale() const; ///< of map space, per length in the world, along its axes
+    glm::dvec3 scale() const; ///< map space per world length, along map space's axes
 };
 
-/// What a map is fitted to.
+/// The casters that a map is fitted to.
 struct MapSubject {
     Box bounds;               ///< of the scene, in the world; not empty
-    std::vector<Box> casters; ///< boxes around them, each in its batch's space; none: `bounds`
+    std::vector<Box> casters; ///< boxes around casters, each in its batch's space; empty: `bounds`
     std::vector<glm::dmat4> worldFromCasters; ///< by box
 };
 
-/// The view of a lamp: six faces of a cube, of which each takes `share` of its texture's width, a
-/// margin the rest. Faces that see nothing within `range` of the lamp are marked. `depthBits`: of
-/// the buffer that finds each texel's nearest caster.
+/// The view of a lamp: six faces of a cube. Each takes `share` of its texture's width; the rest is
+/// a margin. Faces that see nothing within `range` of the lamp are marked. `depthBits`: of the
+/// depth buffer that finds each texel's nearest caster.
 ShadowMapView pointMapView(const glm::dvec3& light, const Box& bounds, double range, int size,
                            double share, int depthBits);
 
 /// The view of a sun, `towards` it: one map of all casters, or cascades of what `frame` shows.
-/// `framed`: xy leave room for a frame of empty texels, as maps need that nothing else puts around
-/// them.
+/// `framed`: xy leave room for a frame of empty texels, for maps without another border.
 ShadowMapView sunMapView(const glm::dvec3& towards, const MapSubject& subject,
                          const FrameView& frame, const ShadowMapSettings& settings,
                          bool framed = true);
 
-/// Texels around what a sun's map shows, on each side: a kernel reaches them, and so may bias.
+/// Texels around the content of a sun's map, on each side: filter kernels reach them, and so may
+/// the bias.
 double frameTexels(const ShadowMapSettings& settings);
 
 } // namespace edgeshade

@@ -16,8 +16,8 @@ class VolumeRenderer;
 struct RenderSettings;
 struct VolumeTints;
 
-/// Methods that a program adds to the library's own, to be compared with them: src/rivals has them.
-/// What a set lacks it answers with null.
+/// Methods that a program adds to the library's own for comparison, see src/rivals. A member
+/// returns null for a method that the set lacks.
 class Rivals {
   public:
     virtual ~Rivals() = default;
@@ -25,12 +25,12 @@ class Rivals {
     /// Makes the records of a layout.
     virtual const RecordSource* records(VolumeLayout layout) const = 0;
 
-    /// Draws shadow volumes from the records that `settings` ask for. `tints`: for debug views.
+    /// Draws shadow volumes from the records that `settings` require. `tints`: for debug views.
     virtual std::unique_ptr<VolumeRenderer>
     volumes(const RenderSettings& settings, const gl::Capabilities& capabilities,
             const std::optional<VolumeTints>& tints) const = 0;
 
-    /// Draws shadow maps of the kinds and filters that ShadowMapSettings::isPlain() leaves out.
+    /// Draws shadow maps of the kinds and filters that ShadowMapSettings::isPlain() excludes.
     virtual std::unique_ptr<ShadowMapPass> maps(const RenderSettings& settings,
                                                 const gl::Capabilities& capabilities) const = 0;
 

@@ -12,16 +12,16 @@ namespace edgeshade {
 
 struct ShadowMapLookup;
 
-/// What a technique may need when a frame begins.
+/// Data that a technique may need at the start of a frame.
 struct FrameStart {
     GpuScene& scene;
     const FrameView& view;
     StageClock* clock = nullptr; ///< may be null
-    /// Draws how near what is visible is, see Renderer::drawNearness().
+    /// Draws the nearness of visible geometry, see Renderer::drawNearness().
     std::function<void(const FrameView&)> drawNearness;
 };
 
-/// What is marked in one stencil, and where.
+/// A stencil to mark, and where.
 struct MarkTask {
     const GpuScene& scene;
     const CountPlan& plan;
@@ -30,46 +30,48 @@ struct MarkTask {
     PixelRectangle area;  ///< pixels that any light of the slice reaches
 };
 
-/// One way to make the shadows of the lights that a ShadowPolicy gave it. A technique either marks
-/// in the stencil what is in shadow (stencils(), plan(), prepare(), mark()), or has surfaces look
-/// something up as they are lit (draw(), mapOf(), primitivesOf()). Each frame: beginFrame(); plan()
-/// and prepare() for every stencil; then slice by slice beginSlice(), mark() and draw().
+/// One way to make the shadows of the lights that a ShadowPolicy assigns to it. A technique either
+/// marks shadow in the stencil (stencils(), plan(), prepare(), mark()), or provides a map that
+/// surfaces sample as they are lit (draw(), map(), primitivesOf()). In each frame: beginFrame();
+/// plan() and prepare() for every stencil; then for each slice beginSlice(), mark() and draw().
 class ShadowTechnique {
   public:
     virtual ~ShadowTechnique() = default;
 
-    /// Makes what it needs of a scene that rests, beyond records and primitive maps. Kept for the
-    /// scene that was prepared last.
+    /// Makes what it needs of a scene at rest, beyond records and primitive maps. Kept for the
+    /// scene prepared last.
     virtual void prepareScene(const GpuScene&, const LoadedScene&) {}
 
     /// Throws Error(unavailable) if it can't make shadows in such a view.
     virtual void beginFrame(const FrameStart&) {}
-    /// The framebuffer shows other surfaces from now on.
+    /// Called when the framebuffer shows other surfaces.
     virtual void beginSlice() {}
 
-    /// How many stencils a light takes, one for each group of casters; 0: it marks none.
+    /// Number of stencils that a light takes, one for each group of casters; 0: it marks none.
     virtual std::size_t stencils(const GpuScene&, const FrameLight&) const { return 0; }
-    /// What is drawn into one of them. Uploads nothing.
+    /// Plans the draws into one of them. Uploads nothing.
     virtual CountPlan plan(const GpuScene&, const CasterGroupInSlice&) { return {}; }
-    /// Uploads what the plan draws, and makes its programs, where they are not there yet.
+    /// Uploads the records that the plan draws, and makes its programs, if they are missing.
     virtual void prepare(const CountPlan&, GpuScene&, const CasterGroupInSlice&) {}
-    /// Leaves what is in shadow in a stencil that was cleared to the plan's start: it is not 0
-    /// there. Colour and depth masks, viewport, scissor, depth function (less) and the stencil's
-    /// test and function (always) are the caller's state. Returns vertex runs.
+    /// Marks shadow in a stencil that was cleared to the plan's start: it is not 0 there. Colour
+    /// and depth masks, viewport, scissor, depth function (less) and the stencil's test and
+    /// function (always) are the caller's state. Returns vertex runs.
     virtual std::size_t mark(const MarkTask&) { return 0; }
-    /// Whether that is drawing volumes, whose vertex work can be timed in one pixel.
+    /// Whether mark() draws volumes, whose vertex work can be timed in a single pixel.
     virtual bool marksByVolumes() const { return false; }
-    /// Draws what mark() would into whatever is there, and nothing else.
+    /// Draws what mark() draws into the current buffers, and does nothing else.
     virtual void countAlone(const MarkTask&) const {}
-    /// Whether it marks pixels without surfaces, too, so that the picture can't be cut to them.
+    /// Whether it also marks pixels without surfaces, so that drawing can't be limited to visible
+    /// pixels.
     virtual bool marksEverywhere() const { return false; }
-    /// Whether surfaces that turn away from the light are lit unless their own facing says not.
+    /// Whether it leaves surfaces that face away from the light lit, so that only their own normals
+    /// can darken them.
     virtual bool leavesFacing() const { return false; }
 
     /// Whether draw() does anything.
     virtual bool drawsLookups() const { return false; }
-    /// Draws what the light's surfaces look up; viewport, depth, stencil and blending state are
-    /// left changed. Returns vertex runs.
+    /// Draws what the light's surfaces sample; changes viewport, depth, stencil and blending state.
+    /// Returns vertex runs.
     virtual std::size_t draw(const GpuScene&, const FrameView&, const Light&) { return 0; }
     /// The shadow map that the last draw() made; null: none.
     virtual const ShadowMapLookup* map() const { return nullptr; }
@@ -78,7 +80,8 @@ class ShadowTechnique {
         return nullptr;
     }
 
-    /// Says how it makes this light's shadows: what is left as it is, reports say already.
+    /// Describes how it makes this light's shadows. Fields that it leaves alone keep the reports'
+    /// defaults.
     virtual void describe(const GpuScene&, const Light&, LightMethod&) const {}
 
     /// Memory on the GPU beyond the scene's.

@@ -2,30 +2,31 @@
 
 namespace edgeshade {
 
-/// The stages of a frame (thesis, 6.3.2). A stage can come several times: for each light, group of
+/// The stages of a frame (thesis, 6.3.2). A stage may occur several times: for each light, group of
 /// casters and depth slice.
 enum class FrameStage {
     ambient,    ///< depth, ambient light, and the light that is drawn with it
-    map,        ///< drawing a shadow map; nothing while a kept one is still right
-    silhouette, ///< the volumes' vertex work alone, see StageClock
-    volumes,    ///< the volumes as they are: that vertex work again, and rasterising
-    lit, ///< shadow taken from the light in `ambient`; surfaces lit by others; see-through ones
+    map,        ///< drawing a shadow map; absent while a kept map is still valid
+    silhouette, ///< only the volumes' vertex work, see StageClock
+    volumes,    ///< the whole volumes: the same vertex work again, and rasterising
+    lit, ///< removing light in shadow from `ambient`; surfaces lit by further lights; see-through
+         ///< surfaces
 };
 
-/// Is told by a renderer where in a frame it is. Stages don't overlap.
+/// Receives a renderer's position within a frame. Stages don't overlap.
 class StageClock {
   public:
     virtual ~StageClock() = default;
     virtual void enter(FrameStage stage) = 0;
     virtual void leave() = 0;
 
-    /// Whether volumes are to be drawn once more, before, with everything but the viewport as it
-    /// will be: that is a single pixel, so nothing worth mentioning is rasterised and what is left
-    /// is evaluating the silhouette. The picture stays the same.
+    /// Whether volumes are also drawn beforehand into a viewport of a single pixel, with all other
+    /// state as it will be. Hardly anything is rasterised, so the time is that of evaluating the
+    /// silhouette. The picture stays the same.
     virtual bool wantsSilhouette() const = 0;
 };
 
-/// A stage for as long as it lives; nothing where there is no clock.
+/// Enters a stage for its lifetime; does nothing without a clock.
 class StageScope {
   public:
     StageScope(StageClock* clock, FrameStage stage) : clock_(clock) {

@@ -11,16 +11,16 @@ namespace edgeshade {
 struct StageMs {
     double ambient = 0.0;
     double map = 0.0;
-    double silhouette = 0.0; ///< 0 where it was not measured apart
+    double silhouette = 0.0; ///< 0 if it was not measured separately
     double rasterise = 0.0;  ///< the volumes without the silhouette
     double lit = 0.0;
 };
 
-/// A stage clock that times stages by a SpanTimer, which it shares with nobody meanwhile. Timing
-/// holds up the GL, so frames that are timed by stage say little as a whole.
+/// A stage clock that times stages with a SpanTimer, which nothing else may use meanwhile. Timing
+/// stalls the GL, so the total time of such frames says little.
 class StageTimer : public StageClock {
   public:
-    /// `silhouetteApart`: volumes are drawn twice to tell evaluating from rasterising.
+    /// `silhouetteApart`: draw volumes twice, to separate evaluating from rasterising.
     StageTimer(gl::SpanTimer& timer, bool silhouetteApart)
         : timer_(timer), silhouetteApart_(silhouetteApart) {}
 
@@ -33,8 +33,8 @@ class StageTimer : public StageClock {
     bool silhouetteApart_;
 };
 
-/// Adds a frame's spans up. The silhouette's time was spent once more within the volumes', and is
-/// taken off them.
+/// Adds up a frame's spans. The silhouette's time was spent again within the volumes', and is
+/// subtracted from it.
 StageMs stageMs(std::span<const gl::SpanTimer::Span> frame);
 
 } // namespace edgeshade

@@ -13,10 +13,10 @@
 namespace edgeshade {
 namespace {
 
-/// The cosine of less than a degree.
+/// Cosine of an angle below one degree, up to which normals count as parallel.
 constexpr float parallel = 0.9999f;
 
-/// What floats may add to a light's distance from a plane, of the coordinates.
+/// Rounding of a light's distance from a plane in floats, as a share of the coordinates.
 constexpr float planeRounding = 0x1p-20f;
 
 std::array<glm::vec3, 3> cornersOf(const Geometry& geometry, std::size_t triangle) {

@@ -10,35 +10,35 @@
 
 namespace edgeshade {
 
-/// Marks surfaces that a light grazes, which it doesn't light, in the stencil that its volumes were
-/// counted in: volumes say on which side of a surface the light is by a sign that means nothing
-/// there (docs/method.md, C47).
+/// Marks surfaces that a light grazes, and so does not light, in the stencil in which its volumes
+/// were counted. Volumes decide by a sign on which side of a surface the light is, and that sign
+/// means nothing there (docs/method.md, C47).
 class GrazedSurfaces {
   public:
-    /// Where such a surface is seen the stencil is 1 afterwards, elsewhere as before. Colour and
-    /// depth masks, viewport and scissor are the caller's state; leaves depth function LESS, the
-    /// stencil's test on. `index`: the light's in the view. Where no mask is drawn, surfaces whose
-    /// normals are their triangles' own are left as they are: Lambert's law leaves nothing of the
+    /// Sets the stencil to 1 where such a surface is visible, and leaves it unchanged elsewhere.
+    /// Colour and depth masks, viewport and scissor are the caller's state; leaves depth function
+    /// LESS and the stencil test on. `index`: the light's index in the view. Unless a mask is
+    /// drawn, surfaces whose normals are their triangles' own are skipped: Lambert's law leaves no
     /// light there.
     void mark(const GpuScene& scene, const FrameView& view, const DepthSlice& slice,
               std::size_t index);
 
   private:
-    /// Of a geometry, by triangle.
+    /// A geometry's data by triangle.
     struct Triangles {
-        CopyOnWrite<Geometry> geometry;   ///< it is shared, so that nobody edits it in place
+        CopyOnWrite<Geometry> geometry;   ///< shared, so that nobody edits it in place
         std::vector<glm::vec4> planes;    ///< unit normal and offset; 0 for triangles without area
         std::vector<std::uint8_t> smooth; ///< 1: some vertex has another normal
-        float farthest = 0.0f;            ///< position, from the origin
+        float farthest = 0.0f;            ///< greatest distance of a position from the origin
         bool used = true;
     };
-    /// Of a batch and a light.
+    /// The grazed triangles of a batch for one light.
     struct Grazed {
         const Geometry* geometry = nullptr;
         glm::dvec4 light{0.0};
         bool smoothAlone = false;
-        gl::Buffer corners; ///< positions, three a triangle
-        int count = 0;      ///< corners
+        gl::Buffer corners; ///< positions, three per triangle
+        int count = 0;      ///< number of corners
     };
 
     const Triangles& trianglesOf(const GpuBatch& batch);

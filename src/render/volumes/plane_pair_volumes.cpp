@@ -10,11 +10,11 @@
 namespace edgeshade {
 namespace {
 
-/// Quads that 16-bit indices reach, four vertices each. The last index, 65535, is none of them: it
-/// begins anew in WebGL 2.
+/// Number of quads that 16-bit indices reach, four vertices each. Index 65535 is excluded: WebGL 2
+/// uses it for primitive restart.
 constexpr std::uint32_t quadsPerDraw = 65535 / verticesPerQuad;
 
-/// Components of the attributes after the corner.
+/// Component counts of the attributes after the corner.
 const std::vector<int> pairComponents = {3, 3, 4, 4};
 const std::vector<int> singleComponents = {3, 3, 4};
 const std::vector<int> capComponents = {3, 3, 3, 4};
@@ -36,8 +36,8 @@ std::size_t floatsOf(const std::vector<int>& components) {
     return floats;
 }
 
-/// The attributes of records from byte `offset` on. Copied records have the corner in front; else
-/// it comes from a buffer of its own, from vertex `firstCorner` on.
+/// Binds the attributes of records from byte `offset` on. Copied records start with their corner;
+/// otherwise the corner comes from its own buffer, from vertex `firstCorner` on.
 void bindRecords(AttributeBinding& binding, const gl::Buffer& buffer,
                  const std::vector<int>& components, std::size_t offset, bool copied,
                  const gl::Buffer& corners, std::size_t firstCorner) {
@@ -72,7 +72,7 @@ glm::vec2 rangeOf(Counted counted) {
     return {-1.0f, 1.0f};
 }
 
-/// Of the program that draws sides or fans.
+/// The variant of the program that draws sides or fans.
 PlanePairSidesVariant variantOf(const VolumeDraw& draw) {
     const bool fans = draw.shape == VolumeDraw::Shape::fans;
     return {.pair = draw.isPair(), .directional = !fans && draw.isTriangle(), .cap = fans};

@@ -19,7 +19,7 @@ namespace edgeshade {
 struct PlanePairSidesVariant {
     bool pair = false; ///< records of two planes
     bool directional = false;
-    bool cap = false; ///< fans of caps in place of sides
+    bool cap = false; ///< fans of caps instead of sides
 
     auto operator<=>(const PlanePairSidesVariant&) const = default;
 };
@@ -27,12 +27,12 @@ struct PlanePairSidesVariant {
 struct PlanePairCapsVariant {
     bool nearDiscard = false;
     bool alphaTest = false;
-    bool culled = false; ///< front caps of casters that show their backs, where they are
+    bool culled = false; ///< front caps, in place, of casters that show their backs
 
     auto operator<=>(const PlanePairCapsVariant&) const = default;
 };
 
-/// The programs. `extraDefines` and `extraAttributes` are for tests and debug views.
+/// Makes the programs. `extraDefines` and `extraAttributes` are for tests and debug views.
 gl::Program makePlanePairSidesProgram(const PlanePairSidesVariant& variant,
                                       const std::vector<std::string>& extraDefines = {},
                                       const std::vector<std::string>& extraAttributes = {});
@@ -43,8 +43,8 @@ gl::Program makePlanePairCapsProgram(const PlanePairCapsVariant& variant,
 /// Draws shadow volumes from plane-pair records: edges with the planes of their triangles.
 class PlanePairVolumes : public VolumeRenderer {
   public:
-    /// Of `settings`: silhouette, layout and ends. `tints`: for debug views; `defines`: of all
-    /// shaders, for measuring. The layout must be one that the GL can.
+    /// Uses the silhouette, layout and ends of `settings`. `tints`: for debug views; `defines`: for
+    /// all shaders, for measurements. The GL must support the layout.
     PlanePairVolumes(const RenderSettings& settings, const gl::Capabilities& capabilities,
                      std::optional<VolumeTints> tints = {}, std::vector<std::string> defines = {});
 
@@ -53,7 +53,7 @@ class PlanePairVolumes : public VolumeRenderer {
     void prepare(const CountPlan& plan, GpuScene& scene,
                  const CasterGroupInSlice& casters) override;
     void draw(const VolumeDraw& draw, const DrawnBatch& batch) const override;
-    /// Makes the program of such a draw, if it is not there yet.
+    /// Makes the program of such a draw, if it is missing.
     void makeProgram(const VolumeDraw& draw);
 
     VolumeLayout layout() const override { return VolumeLayout::planePairs; }
@@ -66,19 +66,19 @@ class PlanePairVolumes : public VolumeRenderer {
   private:
     void upload(const VolumeDraw& draw, const BatchPlan& plan, PlanePairBuffers& buffers);
     const gl::Buffer& bufferOf(const VolumeDraw& draw, const DrawnBatch& batch) const;
-    /// The program, in use, with what all variants need.
+    /// Returns the program, in use, with the uniforms that all variants need.
     const gl::Program& sidesProgram(const VolumeDraw& draw, const DrawnBatch& batch) const;
 
     void drawSides(const VolumeDraw& draw, const DrawnBatch& batch) const;
     void drawFans(const VolumeDraw& draw, const DrawnBatch& batch) const;
     void drawCaps(const VolumeDraw& draw, const DrawnBatch& batch) const;
-    /// Records as quads or, of their first three corners, as triangles.
+    /// Draws records as quads, or as triangles of their first three corners.
     void drawRecords(const VolumeDraw& draw, const DrawnBatch& batch, bool triangles) const;
     void drawCapRecords(const CapBuffers& buffers, bool copied, const RecordRange& caps,
                         CapFaces faces, bool alphaTested) const;
 
     std::optional<gl::Instancing> instancing_;
-    PlanSettings planning_; ///< but for what is kept here: silhouettes and solids
+    PlanSettings planning_; ///< except the silhouettes and solids below
     std::optional<VolumeTints> tints_;
     std::vector<std::string> defines_;
     std::optional<PotentialSilhouettes> silhouettes_;
@@ -87,7 +87,7 @@ class PlanePairVolumes : public VolumeRenderer {
     gl::Buffer quadCorners_;     ///< instanced: 0..3
     gl::Buffer capCorners_;      ///< instanced: 0..5
     gl::Buffer quadIndices_;     ///< of one quad; not instanced: of as many as 16 bits reach
-    gl::Buffer triangleIndices_; ///< the same of their first triangles
+    gl::Buffer triangleIndices_; ///< the same for their first triangles
     std::map<PlanePairSidesVariant, gl::Program> sides_;
     std::map<PlanePairCapsVariant, gl::Program> caps_;
 };

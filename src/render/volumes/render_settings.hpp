@@ -13,63 +13,62 @@
 
 namespace edgeshade {
 
-/// Which part of brute-force volumes is counted.
+/// The part of brute-force volumes that is counted.
 enum class BruteForceCount {
-    zFail, ///< what is behind surfaces
-    zPass, ///< what is before them, and what of casters is before the near plane (ZP+)
+    zFail, ///< the part behind surfaces
+    zPass, ///< the part before surfaces, with near caps for casters before the near plane (ZP+)
 };
 
-/// Which plane-pair records are offered to the vertex shader, the judge of their multiplicity.
+/// The plane-pair records that the vertex shader receives; it decides their multiplicity.
 enum class SilhouetteChoice {
     all,
     proposed, ///< those that may be silhouettes, see PotentialSilhouettes
 };
 
-/// How frames are drawn; fixed for a renderer, but for `ambient`, `exposure` and
-/// `background`.
+/// How frames are drawn. Fixed for a renderer, except `ambient`, `exposure` and `background`.
 struct RenderSettings {
     ShadowMethod shadows = ShadowMethod::volumes;
     MultiplicityMethod multiplicity = MultiplicityMethod::plane;
-    SilhouetteChoice silhouette = SilhouetteChoice::proposed; ///< of plane-pair records
+    SilhouetteChoice silhouette = SilhouetteChoice::proposed; ///< for plane-pair records
     SidesLayout layout = SidesLayout::instanced;
-    BruteForceCount count = BruteForceCount::zFail; ///< of brute-force volumes
-    std::size_t planes = 4; ///< where shadows are planar: onto how many, 1..mostShadowPlanes
-    ShadowMapSettings map;  ///< where shadows are maps
-    PrimitiveMapSettings primitiveMap; ///< where they are primitive maps
-    bool tintPrimitives = false;       ///< show what texels of those hold
-    int maskScale = 1; ///< where they are volumes: counted once for so many by so many pixels
-    std::optional<std::size_t> shadowedLights; ///< keepShadowed()'s; nothing: all have shadows
-    std::size_t lightSamples = 64; ///< points of a light that has an extent, 1..mostLightPoints
+    BruteForceCount count = BruteForceCount::zFail; ///< for brute-force volumes
+    std::size_t planes = 4;            ///< planar shadows: number of planes, 1..mostShadowPlanes
+    ShadowMapSettings map;             ///< for shadow maps
+    PrimitiveMapSettings primitiveMap; ///< for primitive maps
+    bool tintPrimitives = false;       ///< show the contents of primitive maps' texels
+    int maskScale = 1;                 ///< n: volumes are counted once for each n by n pixels
+    std::optional<std::size_t> shadowedLights; ///< keepShadowed()'s; null: all lights have shadows
+    std::size_t lightSamples = 64; ///< points of a light with an extent, 1..mostLightPoints
     Shading shading = Shading::base;
-    float ambient = 0.35f; ///< 0..1, as the display shows it; the lights share the rest
-    /// What ambient light is where shading is full; null: the neutral one.
+    float ambient = 0.35f; ///< 0..1, as displayed; the lights share the rest
+    /// The environment of ambient light in full shading; null: the neutral one.
     std::shared_ptr<const Environment> environment;
-    bool softTerminator = false; ///< of full shading: see shaders_es2/terminator.glsl
-    float exposure = 0.0f;       ///< of full shading, in EV: light is taken 2^exposure times
+    bool softTerminator = false; ///< full shading only: see shaders_es2/terminator.glsl
+    float exposure = 0.0f;       ///< full shading only, in EV: light is scaled by 2^exposure
     glm::vec3 background{0.86f, 0.89f, 0.92f};
-    const Rivals* rivals = nullptr; ///< methods beyond the library's; null: there are none
+    const Rivals* rivals = nullptr; ///< methods beyond the library's; null: none
 
-    /// How many points of each light that has an extent are counted; 0: its map knows better.
+    /// Number of points counted for each light with an extent; 0: a soft map replaces counting.
     std::size_t countedPoints() const {
         return shadows == ShadowMethod::map && map.soft != SoftShadows::none ? 0 : lightSamples;
     }
 
     bool looksUpPrimitives() const { return policy().asksForLookups(); }
 
-    /// What a ShadowPolicy has to know of them; a scene's see-through surfaces are another matter.
+    /// The part that a ShadowPolicy needs. A scene's see-through surfaces come from elsewhere.
     PolicySettings policy() const {
         return {.asked = shadows,
                 .planePairs = volumeLayoutOf(multiplicity) == VolumeLayout::planePairs,
                 .maskScale = maskScale};
     }
 
-    /// What volumes are drawn from; nothing where there are none.
+    /// The records that volumes are drawn from; null if there are no volumes.
     std::optional<VolumeRecords> records() const {
         if (shadows != ShadowMethod::volumes && !looksUpPrimitives()) return std::nullopt;
         return recordsOf(multiplicity, layout);
     }
 
-    /// The records that volumes of that multiplicity are drawn from.
+    /// The records for volumes with that multiplicity method.
     VolumeRecords recordsOf(MultiplicityMethod method, SidesLayout sides) const {
         const VolumeLayout volumes = volumeLayoutOf(method);
         return {volumes, sides, rivals ? rivals->records(volumes) : nullptr};

@@ -9,14 +9,14 @@
 
 namespace edgeshade {
 
-/// The words that a setting's values go by on the command line, in reports, in a view's state and
-/// in a page's address.
+/// The words for a setting's values on the command line, in reports, in a view's state and in a
+/// page's address.
 template <class Value, std::size_t N>
 using SettingWords = std::array<std::pair<const char*, Value>, N>;
 
 namespace words {
 
-/// The first word of each method is the one that is written; the others are read, too.
+/// The first word of each method is the one written; the others are accepted too.
 inline constexpr SettingWords<ShadowMethod, 7> shadowsOfPages = {
     {{"auto", ShadowMethod::automatic},
      {"volumes", ShadowMethod::volumes},

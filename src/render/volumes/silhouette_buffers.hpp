@@ -8,31 +8,32 @@
 
 namespace edgeshade {
 
-/// The records of potential silhouettes, gathered on the GPU in the forms that PlanePairBuffers
-/// has. They go with their lists (SilhouetteList::identity).
+/// The records of potential silhouettes on the GPU, in the layout of PlanePairBuffers. They are
+/// dropped with their lists (SilhouetteList::identity).
 class SilhouetteBuffers {
   public:
-    /// What is gathered of one list.
+    /// The records of one list.
     struct Gathered {
         gl::Buffer certainPairs, uncertainPairs;  ///< in the order of their lists
-        std::map<std::uint32_t, CapBuffers> caps; ///< by cluster: those that may face the light
+        std::map<std::uint32_t, CapBuffers> caps; ///< by cluster: the caps that may face the light
     };
 
     /// `layout`: how records reach the shader.
     explicit SilhouetteBuffers(SidesLayout layout) : layout_(layout) {}
 
-    /// Uploads the pairs of a list, if they are not there yet. `shadow`: what it lists records of.
+    /// Uploads the pairs of a list, if they are missing. `shadow`: the records that the list refers
+    /// to.
     void upload(const PlanePairShadow& shadow, const SilhouetteList& list);
-    /// Uploads the light-facing caps of a cluster too.
+    /// Also uploads the light-facing caps of a cluster.
     void uploadCapsOf(const PlanePairShadow& shadow, const SilhouetteList& list,
                       std::uint32_t cluster);
 
-    /// What was uploaded of a list.
+    /// The uploaded records of a list.
     const Gathered& of(const SilhouetteList& list) const {
         return gathered_.find(list.identity)->second;
     }
 
-    /// Gives back what belongs to lists that are no more.
+    /// Frees the records of lists that no longer exist.
     void dropExpired();
 
     std::size_t sideBytes() const;
@@ -41,7 +42,7 @@ class SilhouetteBuffers {
   private:
     SidesLayout layout_;
     std::map<std::weak_ptr<const int>, Gathered, std::owner_less<>> gathered_;
-    std::vector<PairRecord> pairs_; ///< of a list, on the way
+    std::vector<PairRecord> pairs_; ///< scratch space for the pairs of a list
 };
 
 } // namespace edgeshade

@@ -33,7 +33,7 @@ void countByOne(bool zFail, bool mirrored) {
 
 void doubleCounts(const StencilStart& start, const WholePicture& picture) {
     glDisable(GL_DEPTH_TEST);
-    // Where the lower bit is 1 the two become 10, else 00.
+    // If the lower bit is 1, the two bits become 10, otherwise 00.
     glStencilOp(GL_ZERO, GL_KEEP, GL_REPLACE);
     for (GLuint higher = highestBit; higher != lowestBit; higher >>= 1) {
         const GLuint lower = higher >> 1;

@@ -9,8 +9,8 @@
 namespace edgeshade {
 namespace {
 
-/// Moves culled casters' caps away from the eye, for as long as it lives: behind a surface that
-/// they coincide with, as the point that is asked for lies before it (docs/method.md, C39).
+/// Moves caps of culled casters away from the eye, for its lifetime. They lie behind a surface that
+/// they coincide with, as the counted point lies before it (docs/method.md, C39).
 class CulledCapOffset {
   public:
     CulledCapOffset(float slopes, float units) {
@@ -25,7 +25,7 @@ class CulledCapOffset {
     CulledCapOffset& operator=(const CulledCapOffset&) = delete;
 };
 
-/// Counts everything that is drawn, surfaces or not, by one, for as long as it lives.
+/// Counts all drawn pixels by one, with or without surfaces, for its lifetime.
 class CountAll {
   public:
     CountAll() {
@@ -37,7 +37,7 @@ class CountAll {
     CountAll& operator=(const CountAll&) = delete;
 };
 
-/// What rounding may add to a depth on its way through a rasteriser's floats: 2 to this power.
+/// Rounding of a depth in a rasteriser's floats: 2 to this power.
 constexpr int depthRoundingBits = -23;
 
 } // namespace

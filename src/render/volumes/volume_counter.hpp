@@ -7,8 +7,8 @@
 
 namespace edgeshade {
 
-/// Counts in the stencil, modulo 256, how many shadow volumes the surfaces in the depth buffer are
-/// in: 0 where they are lit. What of them is drawn, and in which order, is the plan's.
+/// Counts in the stencil, modulo 256, how many shadow volumes contain each surface in the depth
+/// buffer: 0 where the surface is lit. The plan decides what is drawn, and in which order.
 class VolumeCounter {
   public:
     explicit VolumeCounter(const gl::Capabilities& capabilities);
@@ -21,8 +21,8 @@ class VolumeCounter {
 
   private:
     WholePicture picture_;
-    // How far caps of culled casters are moved away: a step of the grid that vertices are put on,
-    // by what their depth changes over it, and rounding, in units of the depth buffer.
+    // How far caps of culled casters are moved away: by the change of depth over one step of the
+    // vertex grid, and by rounding, in units of the depth buffer.
     float offsetSlopes_, offsetUnits_;
 };
 

@@ -6,27 +6,27 @@
 
 namespace edgeshade {
 
-/// Colours that debug views draw volumes in.
+/// Colours of volumes in debug views.
 struct VolumeTints {
     glm::vec4 before; ///< sides counted once before surfaces (z-pass)
-    glm::vec4 behind; ///< sides counted once behind them (z-fail)
+    glm::vec4 behind; ///< sides counted once behind surfaces (z-fail)
     glm::vec4 twice;  ///< sides counted twice
-    glm::vec4 caps;   ///< and fans
+    glm::vec4 caps;   ///< caps and fans
 
     const glm::vec4& of(const VolumeDraw& draw) const;
 };
 
-/// A batch, as a draw needs it.
+/// A batch with the data that a draw needs.
 struct DrawnBatch {
-    const GpuScene* scene; ///< whose materials say where casters are alpha-tested
+    const GpuScene* scene; ///< its materials say where casters are alpha-tested
     const BatchVolumes& volumes;
     const BatchPlan& plan;
     glm::mat4 clipFromObject;
     bool mirrored = false;
 };
 
-/// Plans and draws shadow volumes from one layout of records. Each frame: beginFrame(); plan();
-/// prepare() with what is planned; then draw(), which changes nothing but what the GL draws.
+/// Plans and draws shadow volumes from one layout of records. In each frame: beginFrame(); plan();
+/// prepare() with the plan; then draw(), which only issues GL draws.
 class VolumeRenderer {
   public:
     virtual ~VolumeRenderer() = default;
@@ -34,21 +34,20 @@ class VolumeRenderer {
     /// Lights move from frame to frame, never within one.
     virtual void beginFrame(const GpuScene&) {}
 
-    /// What is drawn of the casters. Uploads nothing.
+    /// Plans the draws for the casters. Uploads nothing.
     virtual CountPlan plan(const GpuScene& scene, const CasterGroupInSlice& casters) = 0;
 
-    /// Uploads the records that the plan's draws take, and makes their programs, where they are not
-    /// there yet.
+    /// Uploads the records that the plan draws, and makes its programs, if they are missing.
     virtual void prepare(const CountPlan& plan, GpuScene& scene,
                          const CasterGroupInSlice& casters) = 0;
 
-    /// What it does to the stencil and the picture is the caller's state.
+    /// Draws. The caller's state decides the effect on the stencil and the picture.
     virtual void draw(const VolumeDraw& draw, const DrawnBatch& batch) const = 0;
 
-    /// Which of a batch's shadow data it draws from.
+    /// The layout of the shadow data that it draws from.
     virtual VolumeLayout layout() const = 0;
 
-    /// The lists that are kept for the lights of late; null where none are.
+    /// The lists kept for recent lights; null if it keeps none.
     virtual const PotentialSilhouettes* silhouettes() const { return nullptr; }
 
     // Memory on the GPU beyond the scene's:

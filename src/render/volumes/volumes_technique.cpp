@@ -7,8 +7,9 @@
 namespace edgeshade {
 namespace {
 
-/// Opposite-vertex records and triangles are counted where a far plane at a finite depth cuts
-/// volumes and every caster must be in the depth buffer (docs/method.md, C33 and C39).
+/// Throws if volumes of this layout can't be counted in the view. Opposite-vertex records and
+/// triangles can't where a far plane at a finite depth cuts volumes, or casters are missing from
+/// the depth buffer (docs/method.md, C33 and C39).
 void requireCountable(VolumeLayout layout, const FrameView& view) {
     if (layout == VolumeLayout::planePairs) return;
     const std::string what =

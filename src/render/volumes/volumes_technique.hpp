@@ -11,10 +11,10 @@ namespace edgeshade {
 
 class GrazedSurfaces;
 
-/// Shadow volumes are counted in the stencil.
+/// Counts shadow volumes in the stencil.
 class VolumesTechnique : public ShadowTechnique {
   public:
-    /// `volumes`: draws them, from records of one layout.
+    /// `volumes`: draws them from the records of one layout.
     VolumesTechnique(std::unique_ptr<VolumeRenderer> volumes, const RenderSettings& settings,
                      const gl::Capabilities& capabilities);
     ~VolumesTechnique() override;
@@ -27,7 +27,7 @@ class VolumesTechnique : public ShadowTechnique {
     std::size_t mark(const MarkTask& task) override;
     bool marksByVolumes() const override { return true; }
     void countAlone(const MarkTask& task) const override;
-    /// Published records and triangles count everywhere.
+    /// Opposite-vertex records and triangles also count where no surface is.
     bool marksEverywhere() const override;
 
     const VolumeRenderer& renderer() const { return *volumes_; }
@@ -36,7 +36,7 @@ class VolumesTechnique : public ShadowTechnique {
   private:
     std::unique_ptr<VolumeRenderer> volumes_;
     VolumeCounter counter_;
-    std::shared_ptr<GrazedSurfaces> grazed_; ///< null where nobody asks for what lights graze
+    std::shared_ptr<GrazedSurfaces> grazed_; ///< null if grazed surfaces need no marks
 };
 
 } // namespace edgeshade

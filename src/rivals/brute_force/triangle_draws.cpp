@@ -6,12 +6,12 @@
 namespace edgeshade {
 namespace {
 
-/// That a triangle runs for its sides of one multiplicity.
+/// Vertices that a triangle runs for its sides of one multiplicity.
 int sideVerticesOf(const TriangleCount& count) {
     return (count.directional ? SECOND_SIDE_VERTEX : BACK_CAP_VERTEX) - FIRST_SIDE_VERTEX;
 }
 
-/// That it runs for its caps.
+/// Vertices that a triangle runs for its caps.
 int capVerticesOf(const TriangleCount& count) {
     if (!count.zFail) return 0;
     return count.directional ? verticesPerCap : 2 * verticesPerCap;
@@ -38,7 +38,7 @@ void appendTriangleDraws(const std::vector<MaterialCasters>& groups, std::size_t
         draw.nearDiscard = count.zFail && count.nearDiscard;
         if (count.zFail && range.alphaTested) {
             draw.alphaTested = range.alphaTested;
-            draw.verticesPerRecord += verticesPerCap; // in the cutouts
+            draw.verticesPerRecord += verticesPerCap; // front caps in the cutouts
         }
         draws.push_back(draw);
         draw.shape = VolumeDraw::Shape::negativeSides;

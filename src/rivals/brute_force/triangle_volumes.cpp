@@ -13,7 +13,7 @@
 namespace edgeshade {
 namespace {
 
-/// Sine of the angle between light and near plane below which ZP+ is given up.
+/// Sine of the angle between light and near plane below which ZP+ is not used.
 constexpr double leastSlope = 1e-3;
 
 using Shape = VolumeDraw::Shape;
@@ -22,12 +22,12 @@ const ShadowBuffers& buffersOf(const BatchVolumes& volumes) {
     return static_cast<const ShadowBuffers&>(*volumes.recordsOf(VolumeLayout::triangles));
 }
 
-/// The near plane in the batch's space, as clipping by that matrix has it; positive beyond.
+/// The near plane in the batch's space, as that matrix clips; positive beyond it.
 glm::vec4 nearPlaneOf(const glm::mat4& clipFromObject) {
     return glm::row(clipFromObject, 2) + glm::row(clipFromObject, 3);
 }
 
-/// Whether the light is clearly on one side of the slice's near plane, as seen from the near
+/// Whether the light is clearly on one side of the slice's near plane, seen from the near
 /// rectangle.
 bool isClearOfNearPlane(const CasterGroupInSlice& casters) {
     const Frustum& frustum = casters.view.frustum;

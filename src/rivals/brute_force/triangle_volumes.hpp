@@ -10,18 +10,17 @@
 
 namespace edgeshade {
 
-/// Draws the shadow volume of every casting triangle by itself (Sambeek 2007): nothing is known
-/// of edges, so that any soup of triangles is counted right, and nothing cancels before it is
-/// drawn.
+/// Draws the shadow volume of every casting triangle by itself (Sambeek 2007). It uses no edges, so
+/// any triangle soup is counted correctly, and nothing cancels before it is drawn.
 ///
-/// Behind surfaces (z-fail) that is two caps and three sides each. Before them (z-pass) sides
-/// alone, and each triangle is projected by the light onto the near plane, where it says which
-/// pixels begin within its volume (ZP+: Hornus et al. 2005). Where the light all but lies in that
-/// plane nothing is seen of such a projection, and volumes are counted behind surfaces.
+/// Behind surfaces (z-fail), each triangle has two caps and three sides. Before surfaces (z-pass),
+/// only sides are drawn, and each triangle is projected from the light onto the near plane, where
+/// it marks the pixels that begin within its volume (ZP+: Hornus et al. 2005). If the light almost
+/// lies in the near plane, that projection vanishes, and volumes are counted behind surfaces.
 class TriangleVolumes : public VolumeRenderer {
   public:
-    /// `instancing` must be there unless the layout is notInstanced; of the others there is one.
-    /// `tints`: for debug views.
+    /// `instancing` is required unless the layout is notInstanced; all other layouts count as
+    /// instanced. `tints`: for debug views.
     TriangleVolumes(BruteForceCount count, SidesLayout layout,
                     std::optional<gl::Instancing> instancing,
                     std::optional<VolumeTints> tints = {});
@@ -38,7 +37,7 @@ class TriangleVolumes : public VolumeRenderer {
 
         auto operator<=>(const Variant&) const = default;
     };
-    /// Of a record's vertices, in the order of brute_force/triangle_volume.vert.
+    /// A range of a record's vertices, in the order of brute_force/triangle_volume.vert.
     struct Vertices {
         int first, count;
     };
@@ -50,10 +49,10 @@ class TriangleVolumes : public VolumeRenderer {
                      const RecordRange& range, const Vertices& vertices, bool alphaTested) const;
 
     BruteForceCount count_;
-    bool copied_; ///< records are, for every vertex
+    bool copied_; ///< each record is copied for every vertex
     std::optional<gl::Instancing> instancing_;
     std::optional<VolumeTints> tints_;
-    gl::Buffer corners_; ///< v of the vertices of a record
+    gl::Buffer corners_; ///< vertex numbers v within a record
     std::map<Variant, gl::Program> programs_;
 };
 

@@ -6,15 +6,15 @@
 
 namespace edgeshade {
 
-/// Makes filtered maps of distances: two passes over each face, by way of one more texture as
-/// large.
+/// Filters maps of distances, in two passes over each face through another texture of the same
+/// size.
 class MapBlur {
   public:
-    /// `settings`: isFiltered(). Throws Error(unavailable) if the GL can't draw into such a
-    /// texture.
+    /// `settings`: isFiltered() must hold. Throws Error(unavailable) if the GL can't draw into such
+    /// a texture.
     explicit MapBlur(const ShadowMapSettings& settings);
 
-    /// In place. Changes what is bound; leaves depth test and blending off.
+    /// Filters a face in place. Changes bindings; leaves the depth test and blending off.
     void filter(const ShadowMapTarget& map, std::size_t face) const;
 
     std::size_t bytes() const;
@@ -22,7 +22,7 @@ class MapBlur {
   private:
     int size_, halves_;
     gl::ColorTarget between_;
-    WholePicture along_, across_; ///< rows of distances, then columns of what became of them
+    WholePicture along_, across_; ///< filter rows of distances, then columns of the result
 };
 
 } // namespace edgeshade

@@ -9,19 +9,19 @@ namespace {
 
 constexpr int cells = MapWarp::cells;
 
-/// The least that an outer cell is wide, of the casters' width.
+/// Least width of an outer cell, as a share of the casters' width.
 constexpr double leastOuter = 1.0 / (8 * cells);
-/// How far inner cells go on beyond the visible places that were found, of their extent: between
-/// them there are others.
+/// How far inner cells extend beyond the visible places found, as a share of their extent: there
+/// are others between those found.
 constexpr double between = 0.02;
-/// The share of texels that all inner cells get alike, so that what was not found has some.
+/// Share of texels that all inner cells get alike, so that places not found have some.
 constexpr double alike = 0.15;
-/// The same of outer cells, beside an inner one's.
+/// Texels of an outer cell, as a share of an inner cell's equal share.
 constexpr double outerShare = 0.25;
-/// How many cells aside importance is averaged: over columns alike, then over rows; and the rows
-/// and columns of a non-orthogonal grid with each other, so that they differ little.
+/// Number of neighbouring cells on each side over which importance is averaged: in both grids, and
+/// between rows and between columns of a non-orthogonal grid, so that they differ little.
 constexpr int smoothing = 1, likeness = 5;
-/// The least area that a half of a cell may be left with, of what it had.
+/// Least remaining area of a half cell, as a share of its original area.
 constexpr double leastArea = 2e-4;
 
 using Line = std::array<double, cells>;
@@ -29,7 +29,7 @@ using Ends = std::array<double, cells + 1>;
 using Counts = std::array<Line, cells>; ///< by y, then x
 using Nodes = std::array<std::array<glm::dvec2, cells + 1>, cells + 1>;
 
-/// Averaged over so many neighbours of either side, nearer ones weighing more.
+/// Averages over `reach` neighbours on each side, with more weight for nearer ones.
 Line smoothed(const Line& of, int reach) {
     Line result{};
     for (int i = 0; i < cells; ++i) {
@@ -44,7 +44,7 @@ Line smoothed(const Line& of, int reach) {
     return result;
 }
 
-/// Where the cells of a row end, if their widths are as importance says.
+/// The boundaries of a row's cells, with widths that follow importance.
 Ends endsOf(const Line& importance) {
     Line widths = smoothed(importance, smoothing);
     double sum = 0.0;
@@ -65,7 +65,7 @@ Ends endsOf(const Line& importance) {
     return ends;
 }
 
-/// Between whole numbers, of a place in a lattice.
+/// Interpolates between the boundaries at a fractional position in the lattice.
 double endAt(const Ends& ends, double place) {
     const int cell = std::clamp(static_cast<int>(place), 0, cells - 1);
     return ends[cell] + (ends[cell + 1] - ends[cell]) * (place - cell);
@@ -84,7 +84,7 @@ Counts transposed(const Counts& counts) {
     return result;
 }
 
-/// Rosen's: a column is as important as what is most important in it.
+/// Rosen's grid: a column is as important as its most important cell.
 Ends endsOfColumns(const Counts& counts) {
     Line most{};
     for (const Line& row : counts)
@@ -93,8 +93,8 @@ Ends endsOfColumns(const Counts& counts) {
     return endsOf(most);
 }
 
-/// Milet's: each row's columns are its own, but for their likeness to its neighbours'. By the lines
-/// between rows.
+/// Milet's grid: each row has its own columns, smoothed between neighbouring rows. One set for each
+/// line between rows.
 std::array<Ends, cells + 1> endsOfRows(const Counts& counts) {
     const Counts columns = transposed(counts);
     Counts alikeColumns{};
@@ -121,7 +121,7 @@ Nodes rectilinearNodes(const Counts& counts) {
     return nodes;
 }
 
-/// First along rows, then, of places where these have put them, along columns.
+/// Moves nodes along rows first, then along columns, with importance counted at the moved places.
 Nodes nonOrthogonalNodes(const Counts& counts, std::span<const glm::dvec2> inLattice) {
     const std::array<Ends, cells + 1> alongX = endsOfRows(counts);
     Counts moved{};
@@ -147,7 +147,7 @@ double cross(const glm::dvec2& a, const glm::dvec2& b) {
     return a.x * b.y - a.y * b.x;
 }
 
-/// Whether no half of a cell turned over, or is next to nothing.
+/// Whether no half cell is flipped or has almost no area.
 bool unfolded(const Nodes& nodes) {
     constexpr double least = leastArea / (cells * cells);
     for (int j = 0; j < cells; ++j)
@@ -160,7 +160,7 @@ bool unfolded(const Nodes& nodes) {
     return true;
 }
 
-/// As far from a rectilinear grid as none of its cells folds.
+/// The nodes closest to `wanted`, blended with a rectilinear grid, of which no cell folds.
 Nodes withoutFolds(const Nodes& wanted, const Nodes& rectilinear) {
     for (double share = 1.0; share > 0.05; share -= 0.1) {
         Nodes nodes = rectilinear;
@@ -172,7 +172,7 @@ Nodes withoutFolds(const Nodes& wanted, const Nodes& rectilinear) {
     return rectilinear;
 }
 
-/// Low and high corner of the inner cells around the places.
+/// Fits the low and high corner of the inner cells around the visible places.
 void fitInnerCells(MapWarp& warp, std::span<const glm::dvec2> visible) {
     glm::dvec2 low(1.0), high(0.0);
     for (const glm::dvec2& place : visible) {

@@ -9,38 +9,39 @@
 
 namespace edgeshade {
 
-/// Which texels of a sun's map show which places: a lattice of cells over all that casts, whose
-/// nodes are moved. A cell is two triangles, cut from its lower to its upper corner, and the warp
-/// is affine in each, so that drawing casters cut along the lattice's lines is exact.
+/// Warps a sun's map to give some places more texels: moves the nodes of a lattice of cells over
+/// all casters. A cell is two triangles, split from its lower to its upper corner, and the warp is
+/// affine in each. So drawing casters that are cut along the lattice's lines is exact.
 ///
-/// Places are 0..1 across what casts, as ShadowMapView has them, and so are texture coordinates
-/// within the map's frame. What is visible lies in the lattice's inner cells, which are all alike;
-/// the outermost ones take the rest.
+/// Places are 0..1 across all casters, as in ShadowMapView, and so are texture coordinates within
+/// the map's frame. Visible geometry is in the lattice's inner cells, which are all alike; the
+/// outermost cells take the rest.
 struct MapWarp {
     static constexpr int cells = 32; ///< along an edge of the lattice
 
-    glm::dvec2 low{0.0}, high{1.0};  ///< of the inner cells; within (0, 1)
-    bool rectilinear = true;         ///< cells stay rectangles: they are affine as a whole
+    glm::dvec2 low{0.0}, high{1.0};  ///< bounds of the inner cells, within (0, 1)
+    bool rectilinear = true;         ///< cells stay rectangles: each is affine as a whole
     double margin = 0.0;             ///< the map's frame, as a share of its width
-    std::vector<glm::u16vec2> nodes; ///< (cells + 1)^2, rows of ascending x; 65535ths
+    std::vector<glm::u16vec2> nodes; ///< (cells + 1)^2 nodes, in rows of ascending x; in units of
+                                     ///< 1/65535
 
     bool operator==(const MapWarp&) const = default;
 
-    /// Where a line of the lattice is, 0..cells.
+    /// Position of a line of the lattice, 0..cells.
     glm::dvec2 line(int index) const;
-    /// A place in the lattice: whole numbers at its nodes; any number outside of it.
+    /// Lattice coordinates of a place: whole numbers at nodes; not clamped outside the lattice.
     glm::dvec2 inLattice(const glm::dvec2& place) const;
-    /// Where a node is in the texture, with the frame.
+    /// A node's texture coordinates, including the frame.
     glm::dvec2 node(int x, int y) const;
 
-    /// As shaders_es2/rivals/maps/warp.glsl wants them: the inner cells' low corner and one over
+    /// Uniforms of shaders_es2/rivals/maps/warp.glsl: the inner cells' low corner and one over
     /// their size; cells per length below and above them.
     glm::dvec4 inner() const;
     glm::dvec4 outer() const;
 };
 
-/// A warp that gives places as many texels as are visible there. `visible`: places; those outside
-/// of 0..1 are left out. `margin`: MapWarp's.
+/// Computes a warp that gives places texels in proportion to what is visible there. `visible`:
+/// places; those outside 0..1 are ignored. `margin`: MapWarp::margin.
 MapWarp mapWarp(WarpGrid grid, std::span<const glm::dvec2> visible, double margin);
 
 } // namespace edgeshade

@@ -15,7 +15,7 @@ void MapWarper::fit(ShadowMapView& view, double margin) {
         ++revision_;
     }
     view.revision = revision_;
-    view.faces = {{glm::dmat4(1.0), true}}; // casters are drawn where their cuts are
+    view.faces = {{glm::dmat4(1.0), true}}; // no projection: cut casters are already in place
 }
 
 const WarpedCasters& MapWarper::cut(const GpuScene& scene, const ShadowMapView& view) {

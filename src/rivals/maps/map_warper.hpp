@@ -16,22 +16,23 @@ class MapWarper {
     MapWarper(WarpGrid grid, const gl::Capabilities& capabilities)
         : grid_(grid), places_(capabilities) {}
 
-    /// Finds the visible places. Throws Error(unavailable) if the GL can't draw so.
+    /// Finds the visible places. Throws Error(unavailable) if the GL can't draw their picture.
     void look(const FrameView& view, const std::function<void(const FrameView&)>& drawNearness) {
         visible_ = places_.find(view, drawNearness);
     }
 
-    /// Fits the warp to the view of a map whose xy are 0..1 across what casts. `margin`: MapWarp's.
+    /// Fits the warp to the view of a map whose xy are 0..1 across all casters. `margin`:
+    /// MapWarp::margin.
     void fit(ShadowMapView& view, double margin);
 
-    /// Cuts all casters along the warp that was fitted, and uploads both.
+    /// Cuts all casters along the fitted warp, and uploads casters and warp.
     const WarpedCasters& cut(const GpuScene& scene, const ShadowMapView& view);
 
-    /// Sets what shaders_es2/rivals/maps/warp.glsl reads; takes one texture unit.
+    /// Sets the uniforms of shaders_es2/rivals/maps/warp.glsl; takes one texture unit.
     void set(gl::Program& program, int unit) const;
 
     std::size_t bytes() const { return places_.bytes() + warpBytes(); }
-    /// Bytes of the warp and of the casters.
+    /// Bytes of the warp and of the cut casters.
     std::size_t warpBytes() const { return table_ ? WarpTable::bytes() + casters_.bytes() : 0; }
 
   private:

@@ -15,7 +15,7 @@ void addAll(std::vector<std::string>& to, const std::vector<std::string>& more) 
     to.insert(to.end(), more.begin(), more.end());
 }
 
-/// Draws casters that are cut by the program in use, which is theirs.
+/// Draws cut casters with their program, which must be in use.
 void drawPart(const GpuScene& scene, const WarpedCasters::Part& part, const gl::Program& program) {
     using Vertex = WarpedCasters::Vertex;
     AttributeBinding binding(nullptr);
@@ -53,13 +53,13 @@ bool RivalMapPass::isParaboloid(const MapForm& form) const {
 
 MapForm RivalMapPass::formOf(const Light& light) const {
     MapForm form = ShadowMapPass::formOf(light);
-    // The shader averages filtered texels, and needs to know its four.
+    // The shader averages filtered texels itself, and must find all four in one face.
     if (isFiltered(settings_)) form.cube = false;
     if (isParaboloid(form)) form = {.faces = 2};
     return form;
 }
 
-/// How much of a face's width is left by texels that a filter, and the GL's own way of averaging,
+/// Share of a face's width that remains beside the texels that the filter and the GL's averaging
 /// reach.
 double RivalMapPass::faceShare(const MapForm& form) const {
     if (!isFiltered(settings_) && !isParaboloid(form)) return 1.0;
@@ -77,7 +77,7 @@ ShadowMapView RivalMapPass::viewOf(const Light& light, const MapSubject& subject
         if (!isParaboloid(receivers_)) return view;
         const bool seesScene = std::any_of(view.faces.begin(), view.faces.end(),
                                            [](const auto& face) { return face.seesScene; });
-        // Either half's margin shows the other, too; setProjection() projects.
+        // Each half's margin also shows the other half; setProjection() projects.
         view.faces.assign(2, {glm::dmat4(1.0), seesScene});
         return view;
     }
@@ -85,7 +85,7 @@ ShadowMapView RivalMapPass::viewOf(const Light& light, const MapSubject& subject
     ShadowMapView view = sunMapView(position, subject, frame, settings_, false);
     const double margin = frameTexels(settings_);
     view.share = (settings_.size - 2.0 * margin) / settings_.size;
-    warper_->fit(view, margin / settings_.size); // the warp puts the frame around it
+    warper_->fit(view, margin / settings_.size); // the warp adds the frame
     return view;
 }
 
@@ -113,7 +113,7 @@ void RivalMapPass::drawFace(const MapTask& task, std::size_t face) {
     }
 }
 
-/// See shaders_es2/shadow_map.vert and .frag.
+/// Sets the projection of shaders_es2/shadow_map.vert and .frag.
 void RivalMapPass::setProjection(const gl::Program& program, const MapTask& task, std::size_t face,
                                  const glm::dmat4& mapFromObject) const {
     if (!isParaboloid(task.map.form()))

@@ -8,8 +8,8 @@
 
 namespace edgeshade {
 
-/// Draws shadow maps as two paraboloids around lamps (Brabec et al. 2002) or warped for what is
-/// visible of a sun (Rosen 2012; Milet et al. 2015), and reads maps by Poisson taps or filtered:
+/// Draws shadow maps as two paraboloids around lamps (Brabec et al. 2002), or warped for a sun's
+/// visible geometry (Rosen 2012; Milet et al. 2015). Samples maps by Poisson taps, or as filtered
 /// variance, exponential and moment maps.
 class RivalMapPass : public ShadowMapPass, private MapUniforms {
   public:
@@ -40,9 +40,9 @@ class RivalMapPass : public ShadowMapPass, private MapUniforms {
     void set(gl::Program& program, int unit) const override;
     int units() const override { return isWarped(receivers_) ? 1 : 0; }
 
-    std::optional<MapWarper> warper_; ///< where suns' maps are warped
-    std::optional<MapBlur> blur_;     ///< once a map was filtered
-    MapForm receivers_;               ///< the form of the map that was drawn last
+    std::optional<MapWarper> warper_; ///< set if suns' maps are warped
+    std::optional<MapBlur> blur_;     ///< created when a map is first filtered
+    MapForm receivers_;               ///< form of the map drawn last
 };
 
 } // namespace edgeshade

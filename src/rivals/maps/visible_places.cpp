@@ -13,7 +13,7 @@ namespace {
 constexpr double mostPixels = 16384.0;
 constexpr double largestNearness = 16777215.0; // see shaders_es2/nearness.glsl
 
-/// The same view in at most so many pixels, as large as they have to be.
+/// The same view with at most mostPixels pixels.
 FrameView coarse(FrameView view) {
     const double scale = std::max(1.0, std::sqrt(view.width * (view.height / mostPixels)));
     view.width = std::max(1, static_cast<int>(view.width / scale));

@@ -9,15 +9,15 @@
 
 namespace edgeshade {
 
-/// What is seen, as places in the world: a coarse picture of how near it is, read back. It has at
-/// most 16,384 pixels.
+/// Finds visible places in the world: draws a coarse picture of nearness, and reads it back. It has
+/// at most 16,384 pixels.
 class VisiblePlaces {
   public:
     explicit VisiblePlaces(const gl::Capabilities& capabilities) : target_(capabilities) {}
 
-    /// `drawNearness`: Renderer's, of the view that it is given. The framebuffer stays bound and
-    /// the scissor as it is; what else it draws with is changed. Throws Error(unavailable) if the
-    /// GL can't draw so.
+    /// `drawNearness`: the renderer's, for the view that it receives. Keeps the framebuffer binding
+    /// and the scissor; changes other drawing state. Throws Error(unavailable) if the GL can't draw
+    /// such a picture.
     std::vector<glm::dvec3> find(const FrameView& view,
                                  const std::function<void(const FrameView&)>& drawNearness);
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int cells = MapWarp::cells;
 
-/// First and last cell of three places along a line of the lattice.
+/// First and last cell of three positions along an axis of the lattice.
 glm::ivec2 cellsBetween(const glm::dvec3& places) {
     const double low = std::min({places.x, places.y, places.z});
     const double high = std::max({places.x, places.y, places.z});
@@ -17,17 +17,17 @@ glm::ivec2 cellsBetween(const glm::dvec3& places) {
             std::clamp(static_cast<int>(std::floor(high)), 0, cells - 1)};
 }
 
-/// The part of a caster between two lines of the lattice. Corners of `polygon` are weights, so that
-/// `along`, the caster's corners' coordinates, is a plane.
+/// The part of a caster between two lines of the lattice. Corners of `polygon` are barycentric
+/// weights, so that `along`, the coordinates of the caster's corners, acts as a plane.
 Polygon betweenLines(const Polygon& polygon, const glm::dvec3& along, const glm::ivec2& all,
                      int cell, double from, double to) {
-    const bool cutBelow = cell > all[0], cutAbove = cell < all[1]; // outermost cells go on
+    const bool cutBelow = cell > all[0], cutAbove = cell < all[1]; // outermost cells are unbounded
     if (!cutBelow) return cutAbove ? clipped(polygon, to - along) : polygon;
     const Polygon rest = clipped(polygon, along - from);
     return cutAbove ? clipped(rest, to - along) : rest;
 }
 
-/// All of a caster, by weights of its corners.
+/// The whole caster, as weights of its corners.
 Polygon wholeCaster() {
     Polygon whole;
     for (glm::length_t i = 0; i < 3; ++i) {
@@ -58,10 +58,10 @@ WarpCuts::WarpCuts(const MapWarp& warp) : warp_(warp) {
         }
 }
 
-/// One caster.
+/// One caster to cut.
 struct WarpCuts::Cut {
     const std::array<glm::dvec3, 3>& corners;
-    glm::dvec3 x, y; ///< of its corners
+    glm::dvec3 x, y; ///< lattice coordinates of its corners
     std::vector<WarpedCorner>& to;
 
     void emit(const Polygon& piece, const Affine& affine) const {
@@ -94,7 +94,7 @@ void WarpCuts::add(const std::array<glm::dvec3, 3>& corners, std::vector<WarpedC
     }
 }
 
-/// Cells of a part of a caster.
+/// First and last row of cells of a caster's part.
 glm::ivec2 WarpCuts::rowsOf(const Polygon& part, const glm::dvec3& y) const {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (std::size_t c = 0; c < part.count; ++c) {
@@ -105,7 +105,7 @@ glm::ivec2 WarpCuts::rowsOf(const Polygon& part, const glm::dvec3& y) const {
     return cellsBetween(inLattice({low, high, low}, 1));
 }
 
-/// A part of it that is in one cell.
+/// Adds the part of a caster that is in one cell.
 void WarpCuts::addCell(const Polygon& part, const glm::ivec2& cell, const Cut& cut) const {
     if (part.count < 3) return;
     if (warp_.rectilinear) {
@@ -119,7 +119,7 @@ void WarpCuts::addCell(const Polygon& part, const glm::ivec2& cell, const Cut& c
     cut.emit(clipped(part, above), affine(cell.x, cell.y, true));
 }
 
-/// Of three coordinates along an axis.
+/// Lattice coordinates of three places, along one axis.
 glm::dvec3 WarpCuts::inLattice(const glm::dvec3& along, glm::length_t axis) const {
     glm::dvec3 result;
     for (glm::length_t i = 0; i < 3; ++i)

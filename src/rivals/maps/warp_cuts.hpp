@@ -8,24 +8,24 @@
 
 namespace edgeshade {
 
-/// A corner of a piece of a caster.
+/// A corner of a caster's piece.
 struct WarpedCorner {
-    glm::dvec3 weights; ///< of the caster's corners; their sum is 1
+    glm::dvec3 weights; ///< weights of the caster's corners; their sum is 1
     glm::dvec3 place;   ///< texture coordinates, and the distance from the light
 };
 
-/// Pieces of casters within each of which a warp is affine, so that the GL, which draws straight
-/// edges, draws what is there. Neighbours are cut at the same points. This is what Rosen (2012)
-/// tessellates for; cut along the warp's own lines, nothing is left to be wrong.
+/// Cuts casters into pieces within which a warp is affine, so that the GL, which draws straight
+/// edges, draws them exactly. Neighbours are cut at the same points. Rosen (2012) tessellates to
+/// approximate this; cuts along the warp's own lines leave no error.
 class WarpCuts {
   public:
     explicit WarpCuts(const MapWarp& warp);
 
-    /// `corners`: in map space (ShadowMapView). Pieces are added to `to`, three corners each.
+    /// `corners`: in map space (ShadowMapView). Appends pieces to `to`, three corners each.
     void add(const std::array<glm::dvec3, 3>& corners, std::vector<WarpedCorner>& to) const;
 
   private:
-    /// Of a half of a cell: texture coordinates of a place.
+    /// The warp of half a cell: maps a place to texture coordinates.
     struct Affine {
         glm::dvec2 atX, atY, offset;
 

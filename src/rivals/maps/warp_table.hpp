@@ -5,13 +5,13 @@
 
 namespace edgeshade {
 
-/// A warp's nodes as a texture that shaders_es2/rivals/maps/warp.glsl looks up: a texel a node, two
-/// bytes each of its x and y, so that no GL needs floats for it.
+/// A warp's nodes as a texture for shaders_es2/rivals/maps/warp.glsl: one texel per node, with two
+/// bytes each for x and y, so that no GL needs float textures.
 class WarpTable {
   public:
     WarpTable();
 
-    /// Binds no texture.
+    /// Leaves no texture bound.
     void fill(const MapWarp& warp) const;
 
     gl::Name texture() const { return texture_.name(); }

@@ -7,7 +7,7 @@
 namespace edgeshade {
 namespace {
 
-/// What a batch's group of triangles becomes.
+/// Cuts a batch's group of triangles.
 template <class Add>
 void cutGroup(const Geometry& geometry, const SurfaceGroup& group,
               const std::vector<glm::dvec3>& places, const WarpCuts& cuts, Add add) {

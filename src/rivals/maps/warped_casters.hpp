@@ -6,24 +6,25 @@
 
 namespace edgeshade {
 
-/// All casters of a scene as a warped map shows them, cut by the processor (WarpCuts) and uploaded.
+/// All casters of a scene as a warped map shows them, cut on the CPU (WarpCuts) and uploaded.
 class WarpedCasters {
   public:
     struct Vertex {
-        glm::vec3 place; ///< WarpedCorner's
+        glm::vec3 place; ///< WarpedCorner::place
         glm::vec2 texcoord;
         std::uint8_t color[4];
     };
     /// Casters that are drawn alike.
     struct Part {
-        std::optional<std::size_t> cutout; ///< the alpha-tested material; nothing: they are whole
-        gl::Buffer vertices;               ///< Vertex; of whole ones `place` alone
+        std::optional<std::size_t> cutout; ///< the alpha-tested material; null: they have no
+                                           ///< cutouts
+        gl::Buffer vertices;               ///< Vertex; only `place` if there are no cutouts
         int count = 0;
     };
 
     WarpedCasters() = default;
     /// `mapFromWorld`: a warped map's, see ShadowMapView. Throws Error(unavailable) if the GL has
-    /// no memory for them.
+    /// no memory for the casters.
     WarpedCasters(const GpuScene& scene, const glm::dmat4& mapFromWorld, const MapWarp& warp);
 
     const std::vector<Part>& parts() const { return parts_; }

@@ -11,20 +11,22 @@
 namespace edgeshade {
 namespace {
 
-/// Of the diagonal of what is looked at: how far vertices may be off, many times what floats round.
+/// Greatest distance of vertices from a plane, as a share of the diagonal of all surfaces; many
+/// times the rounding of floats.
 constexpr double planeTolerance = 1e-5;
-/// Cosine of how far normals may be: small triangles are near a plane that they stand on.
+/// Cosine of the greatest angle between normals: small triangles may lie near a plane that they
+/// stand on.
 constexpr double normalTolerance = 0.9997;
-/// Steps of a normal's components and tolerances of a distance by which triangles are sorted before
-/// planes are told apart. Costs alone: what a step divides is put together again.
+/// Steps per normal component, and tolerances per step of distance, by which triangles are sorted
+/// before planes are distinguished. Costs alone: planes that a step divides are joined again.
 constexpr double normalSteps = 256.0, distanceSteps = 16.0;
-/// How many times as many planes are tried as are asked for, and more: costs alone.
+/// Number of planes to try, as a factor of those requested, and in addition: costs alone.
 constexpr std::size_t triesPerPlane = 4, moreTries = 16;
 
 struct Candidate {
     PlaneTriangle source;
-    std::array<glm::dvec3, 3> corners; ///< from the middle of all
-    glm::dvec3 normal;                 ///< of unit length, upper half of directions
+    std::array<glm::dvec3, 3> corners; ///< relative to the middle of all surfaces
+    glm::dvec3 normal;                 ///< of unit length, in the upper half of directions
     double area = 0.0;
     bool taken = false;
 };
@@ -33,7 +35,7 @@ bool isReceiver(const Batch& batch, const Material& material) {
     return !batch.isAnimated() && material.alphaMode != AlphaMode::blend;
 }
 
-/// Of two opposite directions the same one.
+/// The same one of two opposite directions.
 glm::dvec3 upper(const glm::dvec3& normal) {
     for (const glm::length_t axis : {1, 0, 2})
         if (normal[axis] != 0.0) return normal[axis] < 0.0 ? -normal : normal;
@@ -84,7 +86,7 @@ class PlaneSearch {
             if (twice > 0.0)
                 of.normal = upper(across / twice);
             else
-                of.taken = true; // it lies in any plane, and is not seen
+                of.taken = true; // without area: it lies in any plane, and is invisible
         });
     }
 
@@ -113,7 +115,7 @@ class PlaneSearch {
         return cell;
     }
 
-    /// The largest triangle of each of the cells with the most area, these first.
+    /// The largest triangle of each of the cells with the most area, in descending order of area.
     std::vector<std::size_t> seedsOf(std::size_t count) const {
         struct Sum {
             double area = 0.0;
@@ -143,7 +145,7 @@ class PlaneSearch {
         });
     }
 
-    /// The area-weighted mean of what is near the seed's plane.
+    /// The area-weighted mean plane of the triangles near the seed's plane.
     std::optional<glm::dvec4> meanAround(const glm::dvec3& normal, double height) const {
         glm::dvec3 normals(0.0), places(0.0);
         double area = 0.0;
@@ -165,7 +167,7 @@ class PlaneSearch {
         return area;
     }
 
-    /// Takes all that is in the seed's plane, or in the mean of that if it holds more.
+    /// Takes all triangles in the seed's plane, or in their mean plane if it holds more area.
     SurfacePlane planeAt(const Candidate& seed) {
         glm::dvec3 normal = seed.normal;
         double height = glm::dot(normal, seed.corners[0]);

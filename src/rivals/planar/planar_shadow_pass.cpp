@@ -13,19 +13,22 @@ namespace edgeshade {
 namespace {
 
 constexpr GLuint allBits = 0xFF, shadowBit = 0x01;
-constexpr std::size_t planesAtOnce = 7; ///< that bits of the stencil tell apart
+constexpr std::size_t planesAtOnce = 7; ///< number of planes that the stencil's other bits
+                                        ///< distinguish
 
-/// Above a plane, in tolerances of it, from where on casters cast: what lies in the plane doesn't.
+/// Least height above a plane, in tolerances of it, at which casters cast: triangles in the plane
+/// do not.
 constexpr double leastHeight = 2.0;
-/// Of the light's height above a plane: casters up there project too far out.
+/// Greatest height of casters above a plane, as a share of the light's: higher ones project too far
+/// out.
 constexpr double mostHeight = 1.0 - 1e-6;
 
-/// With the light, or what it comes from, on its positive side; its w the height of the plane.
+/// The plane with the light, or its direction, on its positive side; w is the plane's height.
 glm::dvec4 towardsLight(const ShadowPlane& plane, const Light& light) {
     return glm::dot(plane.plane, light.position) < 0.0 ? -plane.plane : plane.plane;
 }
 
-/// Whether light grazes the plane, or comes from within it: all of it is dark.
+/// Whether light grazes the plane, or shines from within it: the whole plane is dark.
 bool isGrazed(const ShadowPlane& plane, const Light& light) {
     const glm::dvec4& of = light.position;
     const double height = std::abs(glm::dot(plane.plane, of));
@@ -89,8 +92,8 @@ std::size_t PlanarShadowPass::mark(const Target& target, const ShadowPlanes& pla
     return vertexRuns_;
 }
 
-/// Sets the plane's bit where its surfaces are seen; the shadow's where they turn away from the
-/// light and cast, or light grazes them.
+/// Sets the plane's bit where its surfaces are visible. Sets the shadow bit instead where they face
+/// away from the light and cast, or where light grazes them.
 void PlanarShadowPass::markReceivers(const Target& target, const ShadowPlane& plane,
                                      unsigned planeBit) {
     const bool away = isGrazed(plane, target.light) ||
@@ -117,7 +120,8 @@ void PlanarShadowPass::markReceivers(const Target& target, const ShadowPlane& pl
     }
 }
 
-/// Sets the shadow's bit where the plane's is, and something is between the plane and the light.
+/// Sets the shadow bit where the plane's bit is set and a caster is between the plane and the
+/// light.
 void PlanarShadowPass::projectCasters(const Target& target, const ShadowPlane& plane,
                                       unsigned planeBit) {
     glStencilMask(shadowBit);

@@ -9,12 +9,12 @@
 
 namespace edgeshade {
 
-/// Shadows of all casters on a scene's ShadowPlanes, and on nothing else (Sambeek 2007): casters
-/// are projected by the light onto each plane, which is exact there. Every pixel is dark once or
-/// not at all, since the stencil says so.
+/// Shadows of all casters on a scene's ShadowPlanes, and on nothing else (Sambeek 2007). Casters
+/// are projected from the light onto each plane, where the result is exact. The stencil ensures
+/// that every pixel is darkened at most once.
 class PlanarShadowPass {
   public:
-    /// What is drawn for one light.
+    /// The scene, view and light to draw shadows for.
     struct Target {
         const GpuScene& scene;
         const FrameView& view;
@@ -24,11 +24,11 @@ class PlanarShadowPass {
 
     PlanarShadowPass();
 
-    /// Marks what of the planes' surfaces in the depth buffer is in the light's shadow: the
-    /// stencil, which must be 0, is not 0 there, also where casters in a plane are seen from the
-    /// side that is turned away from the light. Colour and depth masks are the caller's state, the
-    /// viewport the picture's. Leaves the depth test on and LESS, the stencil's test on. Returns
-    /// vertex runs.
+    /// Marks the light's shadow on the planes' surfaces in the depth buffer: the stencil, which
+    /// must be 0, is not 0 there. Casters in a plane that are seen from the side facing away from
+    /// the light are marked, too. Colour and depth masks are the caller's state, and so is the
+    /// viewport (the picture's). Leaves the depth test on and LESS, and the stencil test on.
+    /// Returns vertex runs.
     std::size_t mark(const Target& target, const ShadowPlanes& planes);
 
   private:
@@ -37,7 +37,7 @@ class PlanarShadowPass {
 
         auto operator<=>(const Variant&) const = default;
     };
-    /// In use.
+    /// Returns the program, in use.
     const gl::Program& program(const Variant& variant);
     void markReceivers(const Target& target, const ShadowPlane& plane, unsigned planeBit);
     void projectCasters(const Target& target, const ShadowPlane& plane, unsigned planeBit);

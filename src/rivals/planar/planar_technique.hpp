@@ -5,10 +5,10 @@
 
 namespace edgeshade {
 
-/// Casters are projected onto the scene's largest planes, which no animation moves.
+/// Projects casters onto the scene's largest planes, which no animation moves.
 class PlanarTechnique : public ShadowTechnique {
   public:
-    /// `planes`: how many, 1..mostShadowPlanes.
+    /// `planes`: their number, 1..mostShadowPlanes.
     explicit PlanarTechnique(std::size_t planes) : count_(planes) {}
 
     void prepareScene(const GpuScene& scene, const LoadedScene& loaded) override;
@@ -25,7 +25,7 @@ class PlanarTechnique : public ShadowTechnique {
     std::size_t count_;
     PlanarShadowPass pass_;
     ShadowPlanes planes_;
-    std::shared_ptr<const int> scene_; ///< the one whose planes these are
+    std::shared_ptr<const int> scene_; ///< the scene of these planes
 };
 
 } // namespace edgeshade

@@ -9,7 +9,7 @@
 namespace edgeshade {
 namespace {
 
-/// A plane's triangles in one batch: indices by chunk.
+/// Index lists, by chunk, of a plane's triangles in one batch.
 std::map<std::size_t, std::vector<std::uint16_t>>
 indicesByChunk(const Batch& batch, const std::vector<SurfacePart>& parts,
                std::span<const PlaneTriangle> triangles) {

@@ -11,10 +11,11 @@ namespace edgeshade {
 struct CapRange {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
-    std::optional<std::size_t> alphaTested; ///< their material, where alpha is tested
+    std::optional<std::size_t> alphaTested; ///< the material, if caps are alpha-tested
 };
 
-/// Caps by how they are drawn: adjoining groups of opaque casters together, others each by itself.
+/// Divides caps by how they are drawn: adjoining groups of opaque casters together, others
+/// separately.
 inline std::vector<CapRange> capRanges(const std::vector<MaterialCasters>& groups,
                                        const std::vector<Material>& materials) {
     std::vector<CapRange> ranges;

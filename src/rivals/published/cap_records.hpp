@@ -7,14 +7,16 @@ namespace edgeshade {
 
 /// How records of triangles reach the vertex shader.
 struct CapVertices {
-    const gl::Instancing* instancing; ///< null: a copy of each for every vertex
-    const gl::Buffer& corners;        ///< else: vec2s, x the number of each of its vertices
+    const gl::Instancing* instancing; ///< null: each record is copied for every vertex
+    const gl::Buffer& corners;        ///< instanced: vec2s whose x is the vertex's number in its
+                                      ///< record
     int perRecord;                    ///< vertices
-    int first = 0;                    ///< of those that are drawn where records are instanced
-    int count = perRecord;            ///< likewise
+    int first = 0;                    ///< instanced: first vertex drawn
+    int count = perRecord;            ///< instanced: number of vertices drawn
 };
 
-/// Draws some of a batch's triangles by the program that is in use. `alphaTested`: it tests alpha.
+/// Draws some of a batch's triangles with the program in use. `alphaTested`: that program tests
+/// alpha.
 void drawCapRecords(const ShadowBuffers& shadow, const RecordRange& caps,
                     const CapVertices& vertices, bool alphaTested);
 

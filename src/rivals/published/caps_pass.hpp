@@ -9,21 +9,21 @@
 
 namespace edgeshade {
 
-/// Draws the caps of shadow volumes; what they do to the stencil is the caller's state.
+/// Draws the caps of shadow volumes. The caller's state decides the effect on the stencil.
 class CapsPass {
   public:
-    /// `instancing` must be there unless the layout is notInstanced. `defines`: of the shaders, see
+    /// `instancing` is required unless the layout is notInstanced. `defines`: for the shaders, see
     /// caps.frag.
     CapsPass(MultiplicityMethod method, SidesLayout layout,
              std::optional<gl::Instancing> instancing, std::vector<std::string> defines = {});
 
-    /// Makes the program of a variant, if it is not there yet.
+    /// Makes the program of a variant, if it is missing.
     void prepare(const CapsVariant& variant);
 
-    /// The program of such a variant, in use.
+    /// Returns the program of a variant, in use.
     const gl::Program& use(const CapsVariant& variant) const;
 
-    /// Draws some caps of a batch by the program that is in use. `alphaTested`: it tests alpha.
+    /// Draws some caps of a batch with the program in use. `alphaTested`: that program tests alpha.
     void draw(const ShadowBuffers& shadow, const RecordRange& caps, bool alphaTested) const;
 
   private:

@@ -7,10 +7,10 @@
 namespace edgeshade {
 
 /// Draws shadow volumes from opposite-vertex records: edges with the opposite vertices of their
-/// triangles. Every edge and every cap of every batch is drawn, z-fail.
+/// triangles. Draws every edge and every cap of every batch, z-fail.
 class OppositeVertexVolumes : public VolumeRenderer {
   public:
-    /// `instancing` must be there unless the layout is notInstanced. `tints`: for debug views.
+    /// `instancing` is required unless the layout is notInstanced. `tints`: for debug views.
     OppositeVertexVolumes(MultiplicityMethod method, SidesLayout layout,
                           std::optional<gl::Instancing> instancing,
                           std::optional<VolumeTints> tints = {});

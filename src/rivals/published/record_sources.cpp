@@ -9,7 +9,7 @@ namespace {
 
 using Made = std::shared_ptr<RecordBuffers>;
 
-/// Makes each geometry's records once. `make`: takes the index of a batch.
+/// Makes each geometry's records once. `make` takes the index of a batch.
 template <class Make>
 std::vector<Made> byGeometry(const Scene& scene, Make make) {
     const std::vector<std::size_t> first = firstOfGeometry(scene.batches);

@@ -4,8 +4,8 @@
 
 namespace edgeshade {
 
-/// Makes opposite-vertex records, as published: sides with one multiplicity for the whole scene,
-/// and caps.
+/// Makes opposite-vertex records, as published: caps, and sides with one largest multiplicity for
+/// the whole scene.
 class OppositeVertexSource : public RecordSource {
   public:
     VolumeLayout layout() const override { return VolumeLayout::oppositeVertices; }

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t largestBuffer = std::size_t{32} << 20; // bytes, for copied records
 
-/// Records that fit a chunk if each is copied for each of its vertices.
+/// Number of records that fit into a chunk if each is copied for each of its vertices.
 std::size_t recordsPerChunk(std::size_t vectorsPerRecord, std::size_t verticesPerRecord) {
     return std::max<std::size_t>(1, largestBuffer /
                                         (vectorsPerRecord * verticesPerRecord * sizeof(glm::vec4)));

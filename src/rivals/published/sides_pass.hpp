@@ -9,21 +9,21 @@
 
 namespace edgeshade {
 
-/// Draws the sides of shadow volumes; what they do to the stencil is the caller's state.
+/// Draws the sides of shadow volumes. The caller's state decides the effect on the stencil.
 class SidesPass {
   public:
-    /// `instancing` must be there unless the layout is notInstanced. `defines`: of the shaders, see
+    /// `instancing` is required unless the layout is notInstanced. `defines`: for the shaders, see
     /// sides.frag.
     SidesPass(MultiplicityMethod method, SidesLayout layout,
               std::optional<gl::Instancing> instancing, std::vector<std::string> defines = {});
 
-    /// Makes the program for records of that multiplicity, if it is not there yet.
+    /// Makes the program for records of that multiplicity, if it is missing.
     void prepare(int maxMultiplicity);
 
-    /// That program, in use.
+    /// Returns that program, in use.
     const gl::Program& use(int maxMultiplicity) const;
 
-    /// Draws a batch's sides by the program for its multiplicity, which is in use.
+    /// Draws a batch's sides with the program for its multiplicity, which must be in use.
     void draw(const ShadowBuffers& shadow) const;
 
   private:

@@ -7,18 +7,18 @@
 
 namespace edgeshade {
 
-/// What of one batch is drawn. The eye and the last three are those of plane-pair records.
+/// The draws planned for one batch. Only plane-pair records use the eye and the last three members.
 struct BatchPlan {
-    std::size_t batch = 0; ///< its index in the scene
+    std::size_t batch = 0; ///< index in the scene
     glm::dmat4 worldFromBatch{1.0};
-    glm::vec4 light{0.0f}; ///< in its space
-    glm::vec4 eye{0.0f};   ///< likewise, homogeneous
-    float reach = 0.0f;    ///< ContactCaps'
+    glm::vec4 light{0.0f}; ///< in the batch's space
+    glm::vec4 eye{0.0f};   ///< in the batch's space, homogeneous
+    float reach = 0.0f;    ///< ContactCaps::reach
     std::shared_ptr<const PlanePairShadow> shadow = nullptr;
-    VolumePlan volumes = {}; ///< which clusters are drawn, which are left out, how and why
-    std::vector<glm::dvec4> ends = {}; ///< where volumes may end: PlanView's
-    /// Where draws take their pairs from; null: from all, or nothing is drawn. Holds until the next
-    /// frame is planned.
+    VolumePlan volumes = {};           ///< which clusters are drawn or left out, how and why
+    std::vector<glm::dvec4> ends = {}; ///< planes where volumes may end: PlanView::ends
+    /// The list that draws take their pairs from; null: they take all pairs, or nothing is drawn.
+    /// Valid until the next frame is planned.
     const SilhouetteList* silhouettes = nullptr;
 };
 

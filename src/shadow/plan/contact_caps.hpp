@@ -7,17 +7,17 @@
 
 namespace edgeshade {
 
-/// The caps of a batch that a point light touches, which cast nothing (docs/method.md, C47).
+/// The caps of a batch that a point light touches. They cast nothing (docs/method.md, C47).
 struct ContactCaps {
     std::vector<std::uint32_t> caps; ///< ascending; empty for nearly all lights
-    /// The shaders take a light no farther than this from a plane to be in it; 0 where it touches
-    /// nothing.
+    /// Distance from a plane up to which the shaders treat the light as lying in it; 0 if the light
+    /// touches nothing.
     float reach = 0.0f;
 
     bool anyOf(const RecordRange& range) const;
 };
 
-/// `light`: in the batch's space. `mantissaBits`: of the vertex shader's floats.
+/// `light`: in the batch's space. `mantissaBits`: precision of the vertex shader's floats.
 ContactCaps contactCapsOf(const PlanePairShadow& shadow, const glm::dvec4& light, int mantissaBits);
 
 } // namespace edgeshade

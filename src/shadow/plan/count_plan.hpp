@@ -10,34 +10,35 @@
 
 namespace edgeshade {
 
-/// What a plan is made of: one batch and where it is.
+/// A batch's shadow data and placement, the input of a plan.
 struct PlacedShadow {
-    std::size_t batch = 0; ///< its index in the scene
+    std::size_t batch = 0; ///< index in the scene
     std::shared_ptr<const PlanePairShadow> shadow;
     glm::dmat4 worldFromBatch{1.0};
 };
 
-/// What one stencil counts: a group of a light's casters in a depth slice.
+/// The volumes counted in one stencil: those of a group of a light's casters in a depth slice.
 struct CountPlan {
     std::vector<BatchPlan> batches;
-    /// Nothing is drawn: visible points are asked one by one (docs/method.md, C46).
+    /// Nothing is drawn; each visible point is tested by itself (docs/method.md, C46).
     bool byPoints = false;
-    bool fullyShadowed = false; ///< all that is visible is in shadow, and nothing is drawn
+    bool fullyShadowed = false; ///< everything visible is in shadow, so nothing is drawn
     StencilStart start;
-    DrawList draws; ///< where some count twice they come first, and counts are doubled then
+    DrawList draws; ///< if some draws count twice, they come first, and counts are doubled after
+                    ///< them
 
     std::size_t vertexRuns() const;
 };
 
-/// How plane-pair records are planned.
+/// Settings for planning plane-pair records.
 struct PlanSettings {
-    int mantissaBits = 23;                       ///< of the vertex shader's floats
+    int mantissaBits = 23;                       ///< precision of the vertex shader's floats
     PotentialSilhouettes* silhouettes = nullptr; ///< null: all records are drawn
-    KeptSolids* solids = nullptr; ///< of scenes that cull; null: no cluster is known to be solid
+    KeptSolids* solids = nullptr; ///< for scenes that cull; null: no cluster is known to be solid
 };
 
-/// Plans what is drawn of a group of casters for the view's light with that index. `materials`:
-/// of the scene. Pure but for the silhouettes that are kept from frame to frame.
+/// Plans the draws for a group of casters and the light with index `light` in the view.
+/// `materials`: the scene's. Pure, except for the silhouettes that are kept from frame to frame.
 CountPlan planCount(const std::vector<PlacedShadow>& casters,
                     const std::vector<Material>& materials, const FrameView& view,
                     const DepthSlice& slice, std::size_t light, const PlanSettings& settings);

@@ -6,13 +6,13 @@ namespace {
 using Records = VolumeDraw::Records;
 using Shape = VolumeDraw::Shape;
 
-/// Neighbouring records that a draw takes to the vertex shader.
+/// Neighbouring records that one draw sends to the vertex shader.
 struct SideRecords {
     Records records;
     RecordRange range;
 };
 
-/// From the first cluster's first record to the last one's last.
+/// The range from the first cluster's first record to the last cluster's last.
 template <class Member>
 RecordRange rangeOver(const PlanePairShadow& shadow, const RecordRange& clusters, Member member) {
     const RecordRange& first = shadow.clusters[clusters.first].*member;
@@ -20,13 +20,13 @@ RecordRange rangeOver(const PlanePairShadow& shadow, const RecordRange& clusters
     return {first.first, last.end() - first.first};
 }
 
-/// Where the records of neighbouring clusters are in a list.
+/// The range in a list that holds the records of neighbouring clusters.
 RecordRange listedOver(const PairList& list, const RecordRange& clusters) {
     const std::uint32_t first = list.ofCluster[clusters.first].first;
     return {first, list.ofCluster[clusters.end() - 1].end() - first};
 }
 
-/// The draws of one batch's clusters that are drawn alike.
+/// Builds the draws for a batch's clusters that share one plan.
 class ClusterDraws {
   public:
     ClusterDraws(const BatchPlan& batch, std::size_t index, std::size_t choice)
@@ -37,7 +37,7 @@ class ClusterDraws {
         like_.counted = how_.counted;
         like_.zFail = how_.zFail();
         end_ = endOf(how_, batch.ends);
-        // At infinity all points that a directional light pushes there coincide.
+        // A directional light pushes all points to the same point at infinity.
         verticesPerSide_ = batch.light.w == 0.0f && how_.end < 0 ? 3 : verticesPerQuad;
         like_.faces = !how_.backCaps   ? CapFaces::front
                       : how_.frontCaps ? CapFaces::both
@@ -107,7 +107,7 @@ class ClusterDraws {
             for (std::uint32_t g = cluster.groups.first; g < cluster.groups.end(); ++g) {
                 const MaterialCasters& group = shadow_.groups[g];
                 const Material& material = materials[group.material];
-                // BLEND casters are in no depth buffer anyway: their caps are where they are.
+                // BLEND casters are not in the depth buffer; their caps stay in place.
                 if (material.doubleSided || material.alphaMode == AlphaMode::blend) continue;
                 std::optional<std::size_t> alphaTested;
                 if (material.alphaMode == AlphaMode::mask) alphaTested = group.material;
@@ -154,7 +154,7 @@ class ClusterDraws {
         draw.culled = true;
     }
 
-    /// The records among which the sides are that count so often.
+    /// The records whose sides may count `times`.
     std::vector<SideRecords> sides(const RecordRange& clusters, Times times) const {
         std::vector<SideRecords> taken;
         const auto take = [&](Records records, const RecordRange& range) {
@@ -176,18 +176,18 @@ class ClusterDraws {
         return taken;
     }
 
-    /// Whether of a cluster only those caps are drawn that may face the light.
+    /// Whether the cluster's caps can be limited to those that may face the light.
     bool knowsLightFacing(const ShadowCluster& cluster) const {
         return silhouettes_ && how_.counted == Counted::lightFacing && !cluster.alphaTested;
     }
 
-    /// Of the triangles that are drawn for a cluster's caps of one face.
+    /// Number of caps of one kind, front or back, that are drawn for a cluster.
     std::uint32_t capCount(std::uint32_t cluster) const {
         const ShadowCluster& of = shadow_.clusters[cluster];
         return knowsLightFacing(of) ? lightFacingCapCount(*silhouettes_, of) : of.caps.count;
     }
 
-    /// Whether a cluster's caps are fans.
+    /// Whether fans replace the cluster's caps.
     bool takesFans(std::uint32_t cluster) const {
         if (!how_.fannedCaps || !silhouettes_) return false;
         std::uint32_t records = 0;
@@ -200,7 +200,7 @@ class ClusterDraws {
     const PlanePairShadow& shadow_;
     const SilhouetteList* silhouettes_;
     const ClusterPlan& how_;
-    VolumeDraw like_; ///< what all of the draws have in common
+    VolumeDraw like_; ///< the values that all draws share
     glm::vec4 end_;
     int verticesPerSide_;
     std::vector<bool> fanned_; ///< by cluster

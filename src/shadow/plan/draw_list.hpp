@@ -5,20 +5,20 @@
 
 namespace edgeshade {
 
-/// The draws of a plan: those that count twice, and the others.
+/// The draws of a plan, separated by how often they count.
 struct DrawList {
     std::vector<VolumeDraw> twice, once; ///< in order
 };
 
-/// Turns what was decided for a batch's clusters into draws, in their order, and appends these.
-/// `index`: of the batch in the plan.
+/// Turns the decisions for a batch's clusters into draws, and appends these in the clusters' order.
+/// `index`: the batch's index in the plan.
 ///
-/// Sides: a single record counts once. So does a pair where one triangle of a silhouette edge
-/// casts. Where both cast it counts twice, but once where the light is in the plane of either.
+/// Sides: a single record counts once. A pair counts once if one triangle of a silhouette edge
+/// casts. If both cast, it counts twice, or once where the light is in the plane of either.
 ///
-/// Caps: where ClusterPlan::fannedCaps allows it and fewer vertices are needed for them, fans of
-/// the potential silhouettes; else those triangles that cast, only those that may face the light
-/// where that is known. Those of ClusterPlan::culledCaps come besides, of single-sided casters.
+/// Caps: fans of the potential silhouettes if ClusterPlan::fannedCaps allows them and they need
+/// fewer vertices. Otherwise the casting triangles, limited to those that may face the light where
+/// these are known. Caps of single-sided casters are added where ClusterPlan::culledCaps says so.
 void appendDraws(const BatchPlan& batch, std::size_t index, const std::vector<Material>& materials,
                  DrawList& draws);
 

@@ -76,7 +76,7 @@ std::string placeOf(const Light& light) {
     return text.str();
 }
 
-/// Which records the draws choose from.
+/// Describes the records that the draws choose from.
 std::string offered(const CountPlan& plan) {
     std::size_t pairs = 0, singles = 0, listed = 0;
     bool all = true;
@@ -97,8 +97,8 @@ std::string offered(const CountPlan& plan) {
     return text.str();
 }
 
-/// What the draws of one range of clusters take to the vertex shader: "; 12 records of sides, 3
-/// fans, 40 caps".
+/// Describes the records and caps that the draws for one range of clusters send to the vertex
+/// shader: "; 12 records of sides, 3 fans, 40 caps".
 std::string takenBy(const CountPlan& plan, std::size_t batch, std::size_t choice) {
     std::size_t sides = 0, twice = 0, fans = 0, caps = 0, tested = 0, culled = 0;
     for (const auto* draws : {&plan.draws.twice, &plan.draws.once})
@@ -171,7 +171,7 @@ std::string explain(const CountPlan& plan) {
     return text.str();
 }
 
-/// A light's plans, of all slices that it reaches something in.
+/// The slices in which a light reaches something.
 std::vector<std::size_t> slicesOf(const FramePlan& frame, std::size_t light) {
     std::vector<std::size_t> slices;
     for (std::size_t s = 0; s < frame.slices.size(); ++s)
@@ -217,7 +217,7 @@ std::string explain(const FramePlan& plan, const FrameView& view) {
         }
     }
     std::string lines = text.str();
-    lines.pop_back(); // the last line's end
+    lines.pop_back(); // remove the last newline
     return lines;
 }
 

@@ -6,9 +6,9 @@
 
 namespace edgeshade {
 
-/// A frame's plan in words: for every light, group of casters and slice what is drawn, how, and
-/// why, and what is left out; a line for each range of clusters that are treated alike. Of adapted
-/// records.
+/// Describes a frame's plan in words. For every light, group of casters and slice it says what is
+/// drawn, how and why, and what is left out, in one line per range of clusters that share a plan.
+/// Covers adapted records only.
 std::string explain(const FramePlan& plan, const FrameView& view);
 
 } // namespace edgeshade

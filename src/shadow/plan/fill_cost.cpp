@@ -9,13 +9,13 @@ namespace {
 
 constexpr double tileSide = 64.0, blockSide = 4.0;
 
-/// A convex polygon in clip space: a triangle, clipped by at most five planes.
+/// A convex polygon in clip space: a triangle after clipping by at most five planes.
 struct ClipPolygon {
     std::array<glm::dvec4, 8> corners;
     std::size_t count = 0;
 };
 
-/// The part where dot(plane, p) >= 0 (Sutherland-Hodgman).
+/// Keeps the part where dot(plane, p) >= 0 (Sutherland-Hodgman).
 void clip(ClipPolygon& polygon, const glm::dvec4& plane) {
     std::array<double, 8> heights;
     bool all = true;
@@ -36,8 +36,8 @@ void clip(ClipPolygon& polygon, const glm::dvec4& plane) {
     polygon = kept;
 }
 
-/// Cells of a grid that a convex polygon of this area and with a box of this size meets, on the
-/// average over all places: with the cell it is the area of their Minkowski sum.
+/// Mean number of grid cells that a convex polygon meets over all positions, given its area and the
+/// size of its box: the area of the polygon's Minkowski sum with a cell, in cells.
 double cellsMet(double area, const glm::dvec2& size, double side) {
     return 1.0 + (size.x + size.y) / side + area / (side * side);
 }

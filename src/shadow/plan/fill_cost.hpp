@@ -7,20 +7,20 @@
 
 namespace edgeshade {
 
-/// What rasterising some triangles takes, by estimate: what is expected where nothing is known of
-/// how they lie on the grid of pixels.
+/// Estimated work of rasterising some triangles: the expected value over all positions on the pixel
+/// grid.
 struct FillCost {
-    double triangles = 0.0; ///< that meet the pixels at all
-    double tilePairs = 0.0; ///< of a triangle and a tile of 64 x 64 pixels
-    double blocks = 0.0;    ///< of 4 x 4 pixels, triangle by triangle
+    double triangles = 0.0; ///< triangles that meet the pixels at all
+    double tilePairs = 0.0; ///< pairs of a triangle and a tile of 64 x 64 pixels
+    double blocks = 0.0;    ///< blocks of 4 x 4 pixels, counted for each triangle
     double fragments = 0.0;
 
     FillCost& operator+=(const FillCost& other);
-    /// Of so many times as much.
+    /// The cost times `factor`.
     FillCost times(double factor) const;
 };
 
-/// Nanoseconds that a rasteriser takes: as measured with Mesa's llvmpipe, all cores' together.
+/// Nanoseconds of rasterising, summed over all cores, measured with Mesa's llvmpipe.
 struct FillWeights {
     double tilePair = 287.0;
     double block = 14.0;
@@ -29,19 +29,19 @@ struct FillWeights {
     }
 };
 
-/// Measures triangles in a picture's pixels.
+/// Estimates the fill of triangles in a picture's pixels.
 class FillMeter {
   public:
-    /// `clipFromObject`: of what is measured; `open`: the pixels of a picture of this size that
-    /// may be drawn.
+    /// `clipFromObject`: for the triangles to measure; `open`: the pixels that may be drawn, in a
+    /// picture of `width` by `height`.
     FillMeter(const glm::dmat4& clipFromObject, int width, int height, const PixelRectangle& open);
 
-    /// Of a triangle, homogeneous. `nearCuts`: what is before the near plane is cut off.
+    /// The fill of a triangle with homogeneous corners. `nearCuts`: the near plane clips it.
     FillCost of(const std::array<glm::dvec4, 3>& corners, bool nearCuts = true) const;
 
   private:
-    glm::dmat4 openFromObject_{1.0}; ///< x and y are -w and w at the open rectangle's borders
-    glm::dvec2 halfSize_;            ///< of that rectangle, in pixels
+    glm::dmat4 openFromObject_{1.0}; ///< x and y are -w and w at the borders of the open rectangle
+    glm::dvec2 halfSize_;            ///< half the open rectangle's size, in pixels
 };
 
 } // namespace edgeshade

@@ -17,7 +17,7 @@ LightPlan planLight(const FrameTask& task, const DepthSlice& slice, std::size_t 
     return plan;
 }
 
-/// Takes the lights together that may be listed, if they are several.
+/// Puts the lights that may be listed into lists, if there are at least two.
 void listTogether(const FrameTask& task, SlicePlan& plan) {
     if (!task.mayBeListed || task.view.mask) return;
     std::vector<ReachingLight> listed;

@@ -8,58 +8,58 @@
 
 namespace edgeshade {
 
-/// What is done for one light in one depth slice.
+/// The plan for one light in one depth slice.
 struct LightPlan {
-    PixelRectangle reach; ///< the pixels that it may change; empty: it is not drawn
-    /// What is counted for it, one stencil after the other: one, or one for each group of casters;
-    /// none where its shadows are no volumes.
+    PixelRectangle reach; ///< the pixels that the light may change; empty: it is not drawn
+    /// One plan for each stencil, in order: one in all, or one for each group of casters; empty if
+    /// the light's shadows are not volumes.
     std::vector<CountPlan> counts;
-    bool listed = false; ///< without a shadow, in SlicePlan::lists
+    bool listed = false; ///< without a shadow, and in SlicePlan::lists
 
     bool isCounted() const { return !counts.empty(); }
     bool inGroups() const { return counts.size() > 1; }
 };
 
-/// What is done in one depth slice.
+/// The plan for one depth slice.
 struct SlicePlan {
     std::vector<LightPlan> lights; ///< by index in the view
-    PixelRectangle reach;          ///< around those of all lights
-    /// The first light that reaches something and whose shadows need no alpha of their own: the
+    PixelRectangle reach;          ///< bounds of all lights' pixels
+    /// The first light that reaches something and whose shadows need no alpha of their own. The
     /// stencil is cleared for it together with depth.
     std::optional<std::size_t> first;
-    bool withAmbient = false; ///< that light is drawn together with ambient light
-    /// Lights without a shadow that one pass adds up; nothing where there aren't two of them.
+    bool withAmbient = false; ///< the first light is drawn together with ambient light
+    /// Lights without a shadow that one pass adds up; null if there are fewer than two.
     std::optional<LightLists> lists{};
 
-    /// Where the stencil starts as depth is drawn.
+    /// The stencil's start while depth is drawn.
     StencilStart start() const;
 };
 
-/// Everything that one frame draws of lights and shadow volumes. What draws, counts vertices,
-/// explains or shows volumes reads this and decides nothing.
+/// Everything that one frame draws of lights and shadow volumes. Code that draws, explains or shows
+/// volumes, or counts their vertices, reads this plan and decides nothing itself.
 struct FramePlan {
-    std::vector<SlicePlan> slices; ///< as the view's, from far to near
+    std::vector<SlicePlan> slices; ///< as in the view, from far to near
 };
 
-/// What is planned, with what it needs of others.
+/// The input of planFrame(), with the callbacks that it needs.
 struct FrameTask {
     const FrameView& view;
     PixelRectangle open;       ///< the pixels that may be drawn at all
     bool ownStencil = false;   ///< volumes are counted in another framebuffer than the picture's
     bool ambientApart = false; ///< no light is drawn together with ambient light
-    /// How many groups the casters of the light with that index come in; 0: its shadows
-    /// are no volumes.
+    /// Number of groups of the light's casters; 0: its shadows are not volumes.
     std::function<std::size_t(std::size_t light)> groupCount;
-    /// What is counted of one of the groups.
+    /// Plans one of these groups.
     std::function<CountPlan(const DepthSlice&, std::size_t light, std::size_t group)> planCount;
-    /// Whether that light has no shadow and may be listed; null: none may, each takes a pass.
+    /// Whether the light has no shadow and may be listed; null: no light may, each takes a pass.
     std::function<bool(std::size_t light)> mayBeListed = nullptr;
-    /// listLights(), where lights may be.
+    /// listLights(); needed only if lights may be listed.
     LightLists (*list)(std::span<const ReachingLight>, int width, int height) = nullptr;
 };
 
-/// Plans for every slice which lights are drawn, where, together with what, and all draws of their
-/// shadow volumes. Needs no GL. In a mask that is no sum only the first light is drawn.
+/// Plans for every slice which lights are drawn, on which pixels, which one together with ambient
+/// light, and all draws of their shadow volumes. Needs no GL. In a mask that is not a sum, only the
+/// first light is drawn.
 FramePlan planFrame(const FrameTask& task);
 
 } // namespace edgeshade

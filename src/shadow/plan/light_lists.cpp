@@ -14,7 +14,7 @@ PixelRectangle tilesOf(const PixelRectangle& pixels) {
             (pixels.y + pixels.height - 1) / tile - y + 1};
 }
 
-/// Calls use(tile's index, the light's index among `lights`), light by light.
+/// Calls use(tile's index, light's index in `lights`), light by light.
 template <class Use>
 void forEachEntry(std::span<const ReachingLight> lights, int columns, Use use) {
     for (std::size_t i = 0; i < lights.size(); ++i) {

@@ -10,10 +10,10 @@
 namespace edgeshade {
 namespace {
 
-/// A share of the factors' sizes below which a product's sign is left undecided.
+/// Share of the factors' sizes below which a product's sign stays undecided.
 constexpr double leastShare = 1e-10;
 
-/// The sign of the shaders' planeSide(); 0 where rounding may decide.
+/// The sign of the shaders' planeSide(); 0 if rounding may decide it.
 int certainSide(const glm::vec4& plane, const glm::dvec4& light, double rounding) {
     const glm::dvec4 terms = glm::dvec4(plane) * light;
     const double side = terms.x + terms.y + terms.z + terms.w;
@@ -23,7 +23,7 @@ int certainSide(const glm::vec4& plane, const glm::dvec4& light, double rounding
     return side > 0.0 ? 1 : -1;
 }
 
-/// Whether every light is in its plane: it is none.
+/// Whether the cap's plane is zero: every light lies in it, so it casts nothing.
 bool castsNothing(const CapRecord& cap) {
     return cap.plane == glm::vec4(0.0f);
 }
@@ -32,7 +32,7 @@ std::array<glm::dvec3, 3> cornersOf(const CapRecord& cap) {
     return {glm::dvec3(cap.a), glm::dvec3(cap.b), glm::dvec3(cap.c)};
 }
 
-/// What the way from `start` to the light does at a triangle.
+/// How the segment from `start` to the light crosses a triangle.
 enum class Crossing { none, towardsItsFront, towardsItsBack, uncertain };
 
 Crossing crossingOf(const std::array<glm::dvec3, 3>& triangle, const glm::dvec3& start,
@@ -50,7 +50,7 @@ Crossing crossingOf(const std::array<glm::dvec3, 3>& triangle, const glm::dvec3&
         signs += side > 0.0 ? 1 : -1;
         ++sure;
     }
-    // Two that differ tell that the line passes by, whatever the third is.
+    // Two different signs suffice to show that the line misses, whatever the third is.
     if (std::abs(signs) < sure) return Crossing::none;
     if (sure < 3) return Crossing::uncertain;
     const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
@@ -59,10 +59,10 @@ Crossing crossingOf(const std::array<glm::dvec3, 3>& triangle, const glm::dvec3&
     if (!(std::abs(slope) > leastShare * length * normalLength) ||
         !(std::abs(height) > leastShare * glm::length(corners[0]) * normalLength))
         return Crossing::uncertain;
-    const double share = height / slope; // of the way, where it crosses the plane
+    const double share = height / slope; // share of the segment at which it meets the plane
     if (share < 0.0) return Crossing::none;
     if (light.w != 0.0) {
-        const double at = share * light.w; // 1: the light
+        const double at = share * light.w; // 1 at the light
         if (std::abs(at - 1.0) < 1e-9) return Crossing::uncertain;
         if (at > 1.0) return Crossing::none;
     }
@@ -94,7 +94,7 @@ bool mayMeetRectangle(const NearClipVolume& volume, const ClipVolumeFaces& faces
     return !areApart(rectangle, triangle);
 }
 
-/// An edge, and the sign of a triangle on it.
+/// An edge, and the sign of one triangle on it.
 struct EdgeSign {
     glm::vec3 a, b;
     int sign;
@@ -104,8 +104,8 @@ struct EdgeSign {
     }
 };
 
-/// Whether an edge that may be within the volume has a multiplicity other than 0. Edges that leave
-/// it may lack triangles, so their sums say nothing.
+/// Whether any edge that may be within the volume has a multiplicity other than 0. Edges outside
+/// the volume are skipped: some of their triangles may be missing from the sum.
 bool anySilhouette(std::vector<EdgeSign>& edges, const NearClipVolume& volume) {
     std::sort(edges.begin(), edges.end(),
               [](const EdgeSign& p, const EdgeSign& q) { return p.before(q); });
@@ -120,7 +120,8 @@ bool anySilhouette(std::vector<EdgeSign>& edges, const NearClipVolume& volume) {
     return false;
 }
 
-/// Calls `use` with each cap that its part's box or `faces` don't keep apart, until it says stop.
+/// Calls `use` with each cap that neither its leaf's box nor `faces` separates from the volume,
+/// until `use` returns true.
 template <class Use>
 void forCapsNear(const NearClipVolume& volume, const ClipVolumeFaces& faces,
                  const ShadowCluster& cluster, const PlanePairShadow& shadow, Use use) {
@@ -163,7 +164,7 @@ bool anyCapTouches(const NearClipVolume& volume, const ShadowCluster& cluster,
 std::optional<RayCrossings> crossingsFromSomePoint(const NearClipVolume& volume,
                                                    std::span<const std::uint32_t> touched,
                                                    const PlanePairShadow& shadow, double rounding) {
-    // Ways that meet an edge are undecided, but not from every point.
+    // A segment that meets an edge is undecided, but some other start decides.
     constexpr std::array<glm::dvec2, 6> places = {{{0.5, 0.5},
                                                    {0.387, 0.561},
                                                    {0.613, 0.423},

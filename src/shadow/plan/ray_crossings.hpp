@@ -9,10 +9,10 @@
 
 namespace edgeshade {
 
-/// Where more triangles than these stand in a volume, counting them is not worth it.
+/// Number of triangles in a volume beyond which counting them costs more than it saves.
 inline constexpr std::size_t mostTouched = 512;
 
-/// Caps of one cluster that may meet a volume: all that do, and few others.
+/// Caps of a cluster that may meet a volume: all that do, and few others.
 struct Touched {
     std::vector<std::uint32_t> caps; ///< ascending
     bool tooMany = false;            ///< there may be more
@@ -20,30 +20,30 @@ struct Touched {
 Touched capsTouching(const NearClipVolume& volume, const ShadowCluster& cluster,
                      const PlanePairShadow& shadow, std::size_t limit = mostTouched);
 
-/// Whether any of them may: separated as well as areApart() can.
+/// Whether any cap may meet the volume, as precisely as areApart() can separate them.
 bool anyCapTouches(const NearClipVolume& volume, const ShadowCluster& cluster,
                    const PlanePairShadow& shadow);
 
-/// How many triangles of a cluster a way to the light crosses, each by the sign that its plane has
-/// (docs/method.md, C13): a prism that is turned inside out by its plane's sign counts -1.
+/// Triangles of a cluster that a segment to the light crosses, each counted with the sign of its
+/// plane (docs/method.md, C13): a prism that its plane's sign turns inside out counts -1.
 struct RayCrossings {
-    int lightFacing = 0; ///< what is counted of triangles with sign 1
-    int facingAway = 0;  ///< with sign -1
-    // By the corners, whatever the plane's sign is:
+    int lightFacing = 0; ///< count of triangles with sign 1
+    int facingAway = 0;  ///< count of triangles with sign -1
+    // Counted by the corners' winding, whatever the plane's sign:
     int outwards = 0; ///< crossed from back to front on the way to the light
-    int inwards = 0;  ///< from front to back
+    int inwards = 0;  ///< crossed from front to back
 
     int all() const { return lightFacing + facingAway; }
 };
 
-/// The crossings between a point of the volume's rectangle and its light. `touched`: the caps that
-/// meet it. Nothing where rounding may decide: a light next to a triangle's plane, for instance.
-/// `rounding`: of the shaders' dot products, dotRounding().
+/// The crossings between some point of the volume's rectangle and its light. `touched`: the caps
+/// that meet the volume. Null if rounding may decide, for example if the light is close to a
+/// triangle's plane. `rounding`: error of the shaders' dot products, dotRounding().
 std::optional<RayCrossings> crossingsFromSomePoint(const NearClipVolume& volume,
                                                    std::span<const std::uint32_t> touched,
                                                    const PlanePairShadow& shadow, double rounding);
 
-/// Whether the number of crossings between a rectangle and a light may differ from point to point.
+/// Whether the number of crossings between a rectangle and a light is the same at every point.
 enum class Evenness {
     even,         ///< it is the same
     rectangleMet, ///< a triangle may cross the rectangle itself
@@ -51,10 +51,11 @@ enum class Evenness {
     uncertain,    ///< rounding may decide
 };
 
-/// Whether the crossings are the same for every point of the rectangle: the volume's boundary, made
-/// of the triangles and of silhouettes drawn out away from the light, doesn't meet it. A silhouette
-/// that crosses the rectangle does so behind an edge that is within the volume; and with every
-/// triangle on such an edge being touched as well, their signs alone tell which edges those are.
+/// Tests whether the crossings are the same for every point of the rectangle. They are if the
+/// boundary of the shadow volume, made of the triangles and of silhouettes extruded away from the
+/// light, does not meet the rectangle. A silhouette whose extrusion crosses the rectangle has a
+/// part within the volume. All triangles on such an edge are touched too, so the signs of touched
+/// triangles suffice to find these edges.
 Evenness evennessOf(const NearClipVolume& volume, std::span<const std::uint32_t> touched,
                     const PlanePairShadow& shadow, double rounding);
 

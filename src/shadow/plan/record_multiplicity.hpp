@@ -6,7 +6,7 @@
 
 namespace edgeshade {
 
-/// countedSide() of the shaders, as a processor's floats have it: for estimates alone.
+/// countedSide() of the shaders, in the processor's floats: only for estimates.
 inline int countedSideOf(const glm::vec4& plane, const glm::vec4& light, Counted counted) {
     const float side =
         plane.x * light.x + plane.y * light.y + plane.z * light.z + plane.w * light.w;

@@ -7,7 +7,8 @@ namespace edgeshade {
 /// pushedTo() of the shaders.
 glm::dvec4 pushedTo(const glm::dvec4& end, const glm::dvec3& p, const glm::dvec4& light);
 
-/// What the side of an edge takes that ends at `end`, as the shaders draw it: one triangle or two.
+/// The fill of an edge's side that ends at `end`, drawn as the shaders draw it: as one triangle or
+/// two.
 FillCost sideFill(const FillMeter& meter, const glm::dvec3& a, const glm::dvec3& b,
                   const glm::dvec4& light, const glm::dvec4& end);
 

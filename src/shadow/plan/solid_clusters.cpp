@@ -30,7 +30,7 @@ bool isOfSolids(const PlanePairShadow& shadow, const ShadowCluster& cluster) {
 } // namespace
 
 std::vector<std::uint8_t> findSolids(const PlanePairShadow& shadow) {
-    // A pose may cross itself, and the next one comes soon.
+    // Any pose may cross itself, and the next pose would need a new test.
     if (shadow.vertices) return std::vector<std::uint8_t>(shadow.clusters.size(), 0);
     std::vector<std::uint8_t> solids;
     for (const ShadowCluster& cluster : shadow.clusters)

@@ -9,11 +9,11 @@
 
 namespace edgeshade {
 
-/// By cluster: 1 where each of its components is the surface of a solid, see solidComponents(). 0
-/// where nothing is single-sided, so that nobody asks, and where poses change it.
+/// By cluster: 1 if each of its components is the surface of a solid, see solidComponents(). 0 for
+/// clusters without single-sided triangles, which need no answer, and for deforming batches.
 std::vector<std::uint8_t> findSolids(const PlanePairShadow& shadow);
 
-/// Keeps what findSolids() says, for as long as the records are there, of those that don't say it.
+/// Caches findSolids() by shadow data, for as long as the data exist.
 class KeptSolids {
   public:
     const std::vector<std::uint8_t>& of(const std::shared_ptr<const PlanePairShadow>& shadow);

@@ -8,7 +8,7 @@
 namespace edgeshade {
 namespace {
 
-/// Sums up the draws of one batch.
+/// Sums up the fill of one batch's draws.
 class DrawFill {
   public:
     DrawFill(const BatchPlan& batch, const FillMeter& meter)
@@ -78,12 +78,12 @@ class DrawFill {
             addCorners(draw, glm::dvec3(cap.a), glm::dvec3(cap.b), glm::dvec3(cap.c), cost);
     }
 
-    /// A triangle of a front cap, of a back cap, or of both.
+    /// Adds a triangle of a front cap, of a back cap, or of both.
     void addCorners(const VolumeDraw& draw, const glm::dvec3& a, const glm::dvec3& b,
                     const glm::dvec3& c, FillCost& cost) const {
         const glm::dvec4 light(batch_.light), infinity(0, 0, 0, 1);
         if (draw.faces != CapFaces::back) {
-            // Moved to the far plane, nothing of it is before the near one.
+            // A front cap moves to the far plane, so no part of it is before the near plane.
             const FillCost front = meter_.of(
                 {glm::dvec4(a, 1.0), glm::dvec4(b, 1.0), glm::dvec4(c, 1.0)}, draw.culled);
             cost +=
@@ -108,7 +108,7 @@ FillCost fillOf(const CountPlan& plan, const FrameView& view, const DepthSlice& 
     for (const auto* draws : {&plan.draws.twice, &plan.draws.once})
         for (const VolumeDraw& draw : *draws) {
             const BatchPlan& batch = plan.batches[draw.batch];
-            if (!batch.shadow) continue; // of opposite-vertex records
+            if (!batch.shadow) continue; // opposite-vertex records have none
             const FillMeter meter(clipFromWorld * batch.worldFromBatch, view.width, view.height,
                                   reach);
             cost += DrawFill(batch, meter).of(draw);

@@ -12,26 +12,26 @@
 namespace edgeshade {
 namespace {
 
-/// How far outside of what is visible volumes end, as a share of its size.
+/// Distance beyond the visible geometry at which volumes end, as a share of its size.
 constexpr double endMargin = 2e-3;
 
-/// How far below the light, of its own height above a plane, casters must be whose volumes end
-/// there.
+/// Least distance of casters below the light, as a share of the light's height above a plane, for
+/// their volumes to end at that plane.
 constexpr double leastBelow = 1e-2;
 
-/// Whether the box and all that is behind it in the light are outside the plane: extruding leads
-/// farther out.
+/// Whether the box and everything behind it, as seen from the light, are outside the plane: the
+/// extrusion leads farther out.
 bool isVolumeOutside(const Box& box, const glm::dvec4& plane, const glm::dvec4& light) {
     if (!isOutside(box, plane)) return false;
     const double ofLight = glm::dot(plane, light);
     const double outwards =
-        light.w != 0.0 ? largestOver(box, plane) - ofLight : -ofLight; // of p - light, or -light
+        light.w != 0.0 ? largestOver(box, plane) - ofLight : -ofLight; // of p - light, or of -light
     return outwards <= -placingError * (std::abs(ofLight) + roundingOf(box, plane)) ||
            (light.w != 0.0 && ofLight >= 0.0);
 }
 
-/// Whether the view may hold directions from the light to points of the box, which is where back
-/// caps are. A directional light has none: its points at infinity are one.
+/// Whether the view may contain directions from the light to points of the box, where back caps
+/// lie. A directional light has no back caps: its points at infinity are one point.
 bool mayBackCapsBeSeen(const Box& box, const PlanView& view) {
     if (view.light.w == 0.0) return false;
     return std::none_of(view.planes.begin(), view.planes.begin() + 4, [&](const glm::dvec4& plane) {
@@ -41,17 +41,17 @@ bool mayBackCapsBeSeen(const Box& box, const PlanView& view) {
     });
 }
 
-/// Whether both winding numbers are certainly 0.
+/// Whether the winding numbers at the eye and at the light are both certainly 0.
 bool areOutside(const ShadowCluster& cluster, const PlanView& view) {
     return isOutsideOf(cluster.bounds, view.eye) && isOutsideOf(cluster.bounds, view.light);
 }
 
-/// Whether the eye may see through backs of the cluster: some single-sided triangle of it may be
-/// turned away from the eye, by the shaders' dot product, and be in the picture.
+/// Whether the eye may see through culled backs of the cluster: whether any single-sided triangle
+/// may face away from the eye, by the shaders' dot product, and be in the picture.
 bool mayBeCulled(const ShadowCluster& cluster, const PlanePairShadow& shadow, const PlanView& view,
                  bool solid) {
     if (!view.culls || cluster.singleSided == 0) return false;
-    // A front is met first then.
+    // The eye then meets a front first.
     if (solid && isOutsideOf(cluster.bounds, view.eye) &&
         !anyCapTouches(view.beforeNearest, cluster, shadow))
         return false;
@@ -66,13 +66,14 @@ bool mayBeCulled(const ShadowCluster& cluster, const PlanePairShadow& shadow, co
     });
 }
 
-/// How the cluster's triangles count, by winding numbers at eye and light (docs/method.md, C8 and
-/// C39). They are 0 outside of its bounds; else their difference is told by the triangles on the
-/// way from near rectangle to light, `touched`. Nothing where everything visible is in its shadow.
+/// Decides which of the cluster's triangles count, by its winding numbers at the eye and the light
+/// (docs/method.md, C8 and C39). Outside the cluster's bounds they are 0. Elsewhere `touched`, the
+/// triangles between near rectangle and light, give their difference. Null if everything visible is
+/// in the cluster's shadow.
 std::optional<Counted> countedOf(const ShadowCluster& cluster, const PlanePairShadow& shadow,
                                  const PlanView& view, const Touched& touched, bool culled) {
     if (!cluster.closed || anyCapTouches(view.beforeNearest, cluster, shadow)) return Counted::all;
-    // A light on the surface itself has no winding number.
+    // There is no winding number for a light on the surface itself.
     if (view.contact.anyOf(cluster.caps)) return Counted::all;
     const Counted half = culled ? Counted::facingAway : Counted::lightFacing;
     if (touched.caps.empty() || areOutside(cluster, view)) return half;
@@ -80,18 +81,18 @@ std::optional<Counted> countedOf(const ShadowCluster& cluster, const PlanePairSh
     const auto crossings =
         crossingsFromSomePoint(view.fromNearest, touched.caps, shadow, view.rounding);
     if (!crossings) return Counted::all;
-    // Of each component the winding number at the eye less that at the light is what of it is
-    // crossed outwards less what inwards.
+    // For each component, outward crossings less inward ones are its winding number at the eye less
+    // that at the light.
     const bool sumTells =
         cluster.components == 1 || crossings->outwards == 0 || crossings->inwards == 0;
     if (!sumTells) return Counted::all;
     if (crossings->outwards == crossings->inwards) return half;
-    // Backs that the eye sees through lessen the winding number, and never add to it.
+    // Culled backs can only lower the winding number at the eye.
     if (culled && crossings->outwards > crossings->inwards) return Counted::all;
     return std::nullopt;
 }
 
-/// Whether the cluster needs caps, and where not the count at which the whole near rectangle
+/// Decides whether the cluster needs caps, and if not, the count at which the whole near rectangle
 /// starts.
 void decideCaps(const ShadowCluster& cluster, const PlanePairShadow& shadow, const PlanView& view,
                 const Touched& touched, ClusterPlan& draw) {
@@ -122,7 +123,7 @@ void decideCaps(const ShadowCluster& cluster, const PlanePairShadow& shadow, con
                                                        : crossings->lightFacing;
 }
 
-/// Adds a plane if the light is on its inside, where dot(plane, (p, 1)) > 0.
+/// Adds a plane if the light is on its inner side, where dot(plane, (p, 1)) > 0.
 void addEnd(const glm::dvec4& plane, PlanView& view) {
     const double ofLight = glm::dot(plane, view.light);
     const glm::dvec4 terms = glm::abs(plane) * glm::abs(view.light);
@@ -130,8 +131,8 @@ void addEnd(const glm::dvec4& plane, PlanView& view) {
     if (ofLight > 1e-3 * size) view.ends.push_back(plane / ofLight);
 }
 
-/// The box of all that rays from the near rectangles to what is visible pass, in the world: cut off
-/// outside of it, volumes count the same.
+/// The world-space box of all rays from the near rectangles to the visible geometry. Volumes that
+/// are cut off outside it count the same.
 Box seenThrough(const FrameView& view, const PlanView& here, const glm::dmat4& worldFromBatch) {
     Box box = view.visible;
     if (!view.frustum.orthographic) box.add(view.frustum.position());
@@ -141,7 +142,7 @@ Box seenThrough(const FrameView& view, const PlanView& here, const glm::dmat4& w
     return box;
 }
 
-/// Adds the planes of a box in the world, a little outside of it.
+/// Adds the planes of a box in the world, slightly enlarged.
 void addEnds(const Box& box, const glm::dmat4& worldFromBatch, PlanView& view) {
     for (glm::length_t axis = 0; axis < 3; ++axis)
         for (const double side : {1.0, -1.0}) {
@@ -152,12 +153,12 @@ void addEnds(const Box& box, const glm::dmat4& worldFromBatch, PlanView& view) {
         }
 }
 
-/// How far the light is above all of the box, as a share of its own height.
+/// Least distance of the box below the light, as a share of the light's height.
 double leastBelowLight(double highest, const PlanView& view) {
     return 1.0 - highest * view.light.w;
 }
 
-/// The end that the cluster's volumes reach soonest; -1: none suits all of it.
+/// The end that the cluster's volumes reach soonest; -1 if no end suits all of the cluster.
 int endFor(const Box& bounds, const PlanView& view) {
     int best = -1;
     double least = std::numeric_limits<double>::infinity();
@@ -172,7 +173,7 @@ int endFor(const Box& bounds, const PlanView& view) {
     return best;
 }
 
-/// Why what casts within the box is left out, if it is.
+/// The reason to leave out casters within the box; null if there is none.
 std::optional<LeftOut::Why> leftOutFor(const Box& bounds, const PlanView& view) {
     for (std::size_t i = 0; i < view.planes.size(); ++i)
         if (isVolumeOutside(bounds, view.planes[i], view.light))
@@ -183,15 +184,15 @@ std::optional<LeftOut::Why> leftOutFor(const Box& bounds, const PlanView& view) 
     return std::nullopt;
 }
 
-/// Where a cluster's volumes lead, along the viewing direction.
+/// The direction of a cluster's volumes along the viewing direction.
 enum class Leading { deeper, nearer, both };
 
 Leading leadingOf(const ShadowCluster& cluster, const PlanePairShadow& shadow,
                   const PlanView& view) {
-    const glm::dvec4& depthLeft = view.planes.back(); // to the farthest that is visible
+    const glm::dvec4& depthLeft = view.planes.back(); // depth left to the farthest visible geometry
     const double ofLight = glm::dot(depthLeft, view.light);
     if (view.light.w == 0.0) return ofLight >= 0.0 ? Leading::deeper : Leading::nearer;
-    // By the corners themselves: a box is larger than what has been cut aslant.
+    // Test the corners themselves: the box of a cluster that is cut at a slant reaches farther.
     const double margin = roundingOf(cluster.bounds, depthLeft);
     bool deeper = true, nearer = true;
     for (std::uint32_t i = cluster.caps.first; i < cluster.caps.end(); ++i)
@@ -203,7 +204,8 @@ Leading leadingOf(const ShadowCluster& cluster, const PlanePairShadow& shadow,
     return deeper ? Leading::deeper : nearer ? Leading::nearer : Leading::both;
 }
 
-/// What an orthographic picture makes of a cluster that would be counted behind surfaces.
+/// Adapts a cluster of an orthographic view that would be counted behind surfaces (docs/method.md,
+/// C33).
 void keepBeforeFarPlane(const ShadowCluster& cluster, const PlanePairShadow& shadow,
                         const PlanView& view, ClusterPlan& draw) {
     switch (leadingOf(cluster, shadow, view)) {
@@ -219,7 +221,7 @@ void keepBeforeFarPlane(const ShadowCluster& cluster, const PlanePairShadow& sha
     }
 }
 
-/// Adds a cluster behind those left out; to its neighbour, where the reason is one.
+/// Adds a cluster to those left out, joined to its neighbour if the reason is the same.
 void leaveOut(std::vector<LeftOut>& all, std::uint32_t cluster, LeftOut::Why why) {
     if (!all.empty() && all.back().clusters.end() == cluster && all.back().why == why)
         ++all.back().clusters.count;

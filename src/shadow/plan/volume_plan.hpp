@@ -12,37 +12,37 @@
 
 namespace edgeshade {
 
-/// Which triangles of a cluster cast (docs/method.md, C8).
+/// The triangles of a cluster that count (docs/method.md, C8).
 enum class Counted {
     all,         ///< every triangle: always right
-    lightFacing, ///< of a closed cluster around which eye and light have the same winding numbers
-    facingAway,  ///< the same, where some of it may be culled before what is visible
+    lightFacing, ///< for a closed cluster if eye and light have the same winding numbers
+    facingAway,  ///< likewise, if culled parts of it may be before visible surfaces
 };
 
-/// Why volumes are drawn with caps and counted behind surfaces (z-fail).
+/// Why volumes need caps and are counted behind surfaces (z-fail).
 enum class CapsNeeded {
     no,           ///< sides alone, counted before surfaces (z-pass)
-    cutoutsAlone, ///< z-pass, and front caps in the cutouts of casters; of orthographic pictures
+    cutoutsAlone, ///< z-pass with front caps in the casters' cutouts; orthographic views only
     seenThrough,  ///< casters are alpha-tested
     nearPlaneMet, ///< a triangle may cross the near plane
-    outlineMet,   ///< a shadow's outline may run through the near rectangle
-    uncertain,    ///< rounding may decide, or there are too many triangles to tell
+    outlineMet,   ///< a shadow's outline may cross the near rectangle
+    uncertain,    ///< rounding may decide, or there are too many triangles to test
 };
 
-/// How shadow volumes of some neighbouring clusters are drawn. Those of one batch are in order.
+/// How the shadow volumes of neighbouring clusters are drawn. A batch's cluster plans are in order.
 struct ClusterPlan {
     RecordRange clusters;
     Counted counted = Counted::all;
     CapsNeeded caps = CapsNeeded::uncertain;
-    int start = 0; ///< without caps: volumes that the whole near rectangle is in
-    int end = -1;  ///< without caps: which of PlanView::ends volumes end at; -1: at infinity
+    int start = 0; ///< without caps: number of volumes that contain the whole near rectangle
+    int end = -1;  ///< without caps: index in PlanView::ends of the plane where volumes end; -1: at
+                   ///< infinity
     bool frontCaps = true;   ///< with z-fail or cutouts: some casters may be in the view
-    bool backCaps = true;    ///< with z-fail: at infinity, some of its shadow may be in the view
+    bool backCaps = true;    ///< with z-fail: at infinity, some of the shadow may be in the view
     bool nearDiscard = true; ///< with front caps: some casters may cross the near plane
     bool fannedCaps = false; ///< with z-fail: caps may be fans, see planVolumes()
     /// Front caps of single-sided casters that show their backs are counted once more, before
-    /// surfaces: what the eye doesn't see of casters may be before what it sees (docs/method.md,
-    /// C39).
+    /// surfaces: culled parts of casters may be before visible surfaces (docs/method.md, C39).
     bool culledCaps = false;
 
     bool drawnLike(const ClusterPlan& other) const {
@@ -57,98 +57,99 @@ struct ClusterPlan {
 /// Neighbouring clusters that are not drawn.
 struct LeftOut {
     enum class Why {
-        outsideView, ///< their volumes miss it
-        tooDeep,     ///< they begin behind everything that is visible
-        tooFar,      ///< out of the light's range
-        outsideCone, ///< beside the light's cone
+        outsideView, ///< their volumes miss the view
+        tooDeep,     ///< they begin behind everything visible
+        tooFar,      ///< they are out of the light's range
+        outsideCone, ///< they are outside the light's cone
     };
     RecordRange clusters;
     Why why = Why::outsideView;
 };
 
-/// What is drawn of a batch for one light, and what is not.
+/// The clusters of a batch that are drawn for one light, and those left out.
 struct VolumePlan {
-    std::vector<ClusterPlan> drawn; ///< in the order of clusters; as are those left out
+    std::vector<ClusterPlan> drawn; ///< in the order of clusters, as in `leftOut`
     std::vector<LeftOut> leftOut;
-    /// A closed cluster with the eye on one side of it and the light on the other: everything
-    /// visible is in its shadow, and nothing need be drawn.
+    /// A closed cluster with the eye on one side of it and the light on the other. Everything
+    /// visible is in its shadow, so nothing is drawn.
     std::optional<std::uint32_t> fullyShadowedBy;
 };
 
-/// Light and view in a batch's space: all that decides how its clusters are drawn.
+/// Light and view in a batch's space: everything that decides how its clusters are drawn.
 struct PlanView {
     glm::dvec4 light;
-    double range = std::numeric_limits<double>::infinity(); ///< of the light; see rangeInObject()
-    std::vector<glm::dvec4> cone; ///< of a spot: planes around what it lights; see planesAround()
-    glm::dvec4 eye; ///< where the picture's rays come from; at infinity (w = 0) if orthographic
-    NearClipVolume fromNear;      ///< from the slice's near plane to the light
+    double range = std::numeric_limits<double>::infinity(); ///< the light's range; see
+                                                            ///< rangeInObject()
+    std::vector<glm::dvec4> cone; ///< of a spot: planes around the space that it lights; see
+                                  ///< planesAround()
+    glm::dvec4 eye;          ///< origin of the picture's rays; at infinity (w = 0) if orthographic
+    NearClipVolume fromNear; ///< from the slice's near plane to the light
     NearClipVolume fromNearest;   ///< from the nearest near plane to the light
     NearClipVolume beforeNearest; ///< from the nearest near plane to the eye
     ViewPlanes planes;
-    /// Planes with the eye, all that is visible and the light on one side; scaled so that the light
-    /// is 1 and they are 0 high: dot(plane, light) = 1. See pushedTo() of the shaders.
+    /// Planes that have the eye, everything visible and the light on one side, scaled so that the
+    /// light's height is 1: dot(plane, light) = 1. See pushedTo() of the shaders.
     std::vector<glm::dvec4> ends;
-    double rounding = dotRounding(23); ///< of the shaders' dot products with the light
-    ContactCaps contact;               ///< what the light touches; planView() leaves it empty
+    double rounding = dotRounding(23); ///< error of the shaders' dot products with the light
+    ContactCaps contact;               ///< the caps that the light touches; planView() leaves it
+                                       ///< empty
     bool culls = false;                ///< see Scene
 };
 
-/// The view of a batch placed by `worldFromBatch`, which must be invertible. `mantissaBits`: of the
-/// vertex shader's floats.
+/// The view of a batch placed by `worldFromBatch`, which must be invertible. `mantissaBits`:
+/// precision of the vertex shader's floats.
 PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& light,
                   const glm::dmat4& worldFromBatch, int mantissaBits = 23);
 
-/// All clusters of records that are placed by `worldFromBatch`, where the box around them tells
-/// that each is left out. `inWorld`: planView() of the world itself.
+/// Leaves out all clusters of a batch placed by `worldFromBatch` at once if the box around them
+/// allows it; null otherwise. `inWorld`: planView() for the world itself.
 std::optional<LeftOut> leftOutWhole(const PlanePairShadow& shadow, const glm::dmat4& worldFromBatch,
                                     const PlanView& inWorld);
 
-/// Whether volumes of all that casts within the box may end at the view's plane of that index
+/// Whether the volumes of all casters within the box may end at the view's plane `end`
 /// (docs/method.md, C14).
 bool mayEndAt(const Box& bounds, const PlanView& view, std::size_t end);
 
-/// The plane at which such volumes end, for the shaders. `ends`: PlanView's.
+/// The plane at which such volumes end, for the shaders. `ends`: PlanView::ends.
 glm::vec4 endOf(const ClusterPlan& draw, std::span<const glm::dvec4> ends);
 
-/// Decides how each cluster is drawn, if at all. A pure function:
-/// - not at all where it is out of the light's range or cone, or its volume, the cluster's box away
-/// from
-///   the light, certainly misses the view or begins behind everything visible;
-/// - without caps, before surfaces (z-pass), where every point of the near rectangle is within the
-///   same number of its volumes: none where the hull of rectangle and light is apart from all of
-///   the cluster's triangles, and elsewhere as many as there are layers in between, see
-///   ray_crossings.hpp. Alpha-tested casters always get caps, since the eye sees volumes through
-///   them. Such volumes end at a plane beyond everything visible, where there is one for all of the
-///   cluster;
-/// - with fans for caps, whose triangles join the silhouette edges to the middle of the cluster's
-///   box. They have the same outline as the casting triangles, and at infinity only outlines count:
-///   fan and triangles together are closed, so that they cover each direction from the eye (of the
-///   front caps) or from the light (of the back caps) as often as they wind around eye or light,
-///   which is never where that is outside of the box. For front caps the box must be beyond the
-///   near plane; alpha-tested casters take none;
-/// - light-facing triangles alone where the cluster is closed, no triangle of it is between the eye
-///   and the nearest near plane, and eye and light have the same winding numbers (docs/method.md,
-///   C8). Where these certainly differ, the cluster seals the eye off from the light;
-/// - where casters are culled that may be before what is visible (those of solids with the eye
-///   outside are not), with their caps counted where they
-///   are, and triangles that face away from the light in place of the light-facing ones
-///   (docs/method.md, C39).
+/// Decides how each cluster is drawn, if at all. A pure function.
 ///
-/// The far plane of an orthographic picture is no infinity: what of a volume is behind it is lost,
-/// and may not be counted behind surfaces. But none of its casters is before the near plane. So
-/// volumes that lead away from the viewer are counted before surfaces, with front caps in the
-/// cutouts of casters, and those that lead towards the viewer behind them, if need be
-/// (docs/method.md, C33). Throws Error(unavailable) where the light stands among a cluster's depths
-/// and it is in need.
-/// `solids`: what findSolids() says of the shadow's clusters; nothing: none is known.
+/// - A cluster is not drawn if it is out of the light's range or cone, or if its volume (its box
+///   extruded away from the light) certainly misses the view or begins behind everything visible.
+/// - It is drawn without caps, before surfaces (z-pass), if the same number of its volumes contains
+///   every point of the near rectangle. That number is 0 if the hull of rectangle and light is
+///   apart from all its triangles, and otherwise the number of layers in between, see
+///   ray_crossings.hpp. Alpha-tested casters always get caps, since the eye sees volumes through
+///   them. z-pass volumes end at a plane beyond everything visible, if one suits the whole cluster.
+/// - Fans may replace its caps: triangles that join the silhouette edges to the middle of the
+///   cluster's box. A fan has the same outline as the casting triangles, and at infinity only
+///   outlines count. Fan and triangles together are closed, so they cover each direction from the
+///   eye (front caps) or from the light (back caps) as often as they wind around eye or light. That
+///   is 0 for a point outside the box. For front caps the box must be beyond the near plane.
+///   Alpha-tested casters have no fans.
+/// - Only its light-facing triangles count if it is closed, no triangle of it is between the eye
+///   and the nearest near plane, and eye and light have the same winding numbers (docs/method.md,
+///   C8). If these certainly differ, everything visible is in the cluster's shadow.
+/// - If culled casters may be before visible surfaces, their caps are also counted in place, and
+///   the triangles that face away from the light count instead of the light-facing ones
+///   (docs/method.md, C39). Solids with the eye outside need none of this.
+///
+/// The far plane of an orthographic view is not at infinity. Parts of a volume behind it are lost,
+/// so volumes that cross it can't be counted behind surfaces; but no caster is before the near
+/// plane. So volumes that lead away from the viewer are counted before surfaces, with front caps in
+/// the casters' cutouts. Volumes that lead towards the viewer are counted behind surfaces where
+/// they need caps (docs/method.md, C33). Throws Error(unavailable) if the light is between the
+/// depths of a cluster that needs caps. `solids`: findSolids() of the shadow's clusters; empty:
+/// none is known to be solid.
 VolumePlan planVolumes(const PlanePairShadow& shadow, const PlanView& view,
                        std::span<const std::uint8_t> solids = {});
 
-/// The same with each cluster that is drawn by itself, for those who decide further.
+/// As planVolumes(), with each drawn cluster by itself, for callers that decide further.
 VolumePlan planClusters(const PlanePairShadow& shadow, const PlanView& view,
                         std::span<const std::uint8_t> solids = {});
 
-/// Puts neighbouring clusters together that are drawn alike.
+/// Merges neighbouring clusters that are drawn alike.
 void mergeAlike(VolumePlan& plan);
 
 } // namespace edgeshade
