@@ -65,7 +65,8 @@ struct SceneOptions {
     ReadingLimits limits;
     gl::Limits glLimits = gl::Limits::device;
     std::string variant;                ///< variant of the materials; empty: the file's own
-    bool cutoutsCast = false;           ///< MASK surfaces cast by lookups
+    bool cutoutsCast = false;           ///< MASK surfaces cast with their cutouts, if the technique
+                                        ///< can
     std::optional<bool> culls;          ///< Scene::culls, as typed; null: cullsByDefault
     std::optional<double> time;         ///< time of the animation in seconds; null: at rest
     std::string animation;              ///< the animation's name or index; empty: the first

@@ -14,7 +14,7 @@ struct PrimitiveMapState {
     double buildMs = 0.0;                       ///< on the CPU
 };
 
-/// The lights that request primitive maps.
+/// The lights that get or keep primitive maps.
 struct MapDemand {
     std::vector<Light> lights{}; ///< those whose maps matter more come first
     /// The first so many get one; others keep theirs as long as there is room.

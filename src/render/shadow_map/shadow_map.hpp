@@ -55,8 +55,7 @@ struct ShadowMapSettings {
     float biasTexels = 1.5f;              ///< in texels, at their size on the receiver
     int pcf = 1;                          ///< the filter's width in texels; odd, 1: a single texel
     SoftShadows soft = SoftShadows::none; ///< pcss needs MapKind::cube and MapFilter::compare
-    bool facesApart = false; ///< a texture for each face of a cube, even if the GL can hold all in
-                             ///< one
+    bool facesApart = false; ///< one texture per face, even if the GL can hold a cube in one
     MapKind kind = MapKind::cube;
     int cascades = mostCascades; ///< 1..mostCascades
     MapFilter filter = MapFilter::compare;

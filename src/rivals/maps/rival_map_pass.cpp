@@ -53,7 +53,7 @@ bool RivalMapPass::isParaboloid(const MapForm& form) const {
 
 MapForm RivalMapPass::formOf(const Light& light) const {
     MapForm form = ShadowMapPass::formOf(light);
-    // The shader averages filtered texels itself, and must find all four in one face.
+    // The shader averages four filtered texels itself, and finds them only in flat textures.
     if (isFiltered(settings_)) form.cube = false;
     if (isParaboloid(form)) form = {.faces = 2};
     return form;

@@ -25,8 +25,7 @@ struct VolumeDraw {
         caps, ///< caps made of triangles
         triangleVolumes, ///< each triangle's own volume: sides of multiplicity 1; for z-fail also
                          ///< the caps
-        negativeSides,   ///< its sides of multiplicity -1, in their own winding, but counted the
-                         ///< other way
+        negativeSides,   ///< its sides of multiplicity -1, not reversed, but counted the other way
         nearCaps,        ///< triangles projected from the light onto the near plane (ZP+)
     };
     /// The records that the vertex shader gets.

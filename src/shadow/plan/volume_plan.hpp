@@ -78,8 +78,7 @@ struct VolumePlan {
 /// Light and view in a batch's space: everything that decides how its clusters are drawn.
 struct PlanView {
     glm::dvec4 light;
-    double range = std::numeric_limits<double>::infinity(); ///< the light's range; see
-                                                            ///< rangeInObject()
+    double range = std::numeric_limits<double>::infinity(); ///< see rangeInObject()
     std::vector<glm::dvec4> cone; ///< of a spot: planes around the space that it lights; see
                                   ///< planesAround()
     glm::dvec4 eye;          ///< origin of the picture's rays; at infinity (w = 0) if orthographic
@@ -91,8 +90,7 @@ struct PlanView {
     /// light's height is 1: dot(plane, light) = 1. See pushedTo() of the shaders.
     std::vector<glm::dvec4> ends;
     double rounding = dotRounding(23); ///< error of the shaders' dot products with the light
-    ContactCaps contact;               ///< the caps that the light touches; planView() leaves it
-                                       ///< empty
+    ContactCaps contact;               ///< the touched caps; planView() leaves it empty
     bool culls = false;                ///< see Scene
 };
 
