@@ -41,7 +41,7 @@ void expectDocumented(const std::string& section, const std::vector<std::string>
         return;
     }
     const std::vector<std::string> documented = linesOf(text.substr(start, end - start));
-    EXPECT_EQ(documented, rows) << "EDGESHADE_UPDATE_DOCS=1 in the environment writes them anew";
+    EXPECT_EQ(documented, rows) << "EDGESHADE_UPDATE_DOCS=1 in the environment writes them again";
 }
 
 std::string withoutFolder(std::string text, const std::string& folder) {

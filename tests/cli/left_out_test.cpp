@@ -155,7 +155,7 @@ TEST(LeftOut, TheTableIsDocumented) {
             verbs += (verbs.empty() ? "" : ", ") + verb;
         rows.push_back("| " + row.name + " | " + verbs + " | " + cellOf(warning) + " |");
     }
-    expectDocumented("left-out", rows);
+    expectDocumented("left-out", rows, "bad-inputs-list.md");
 }
 
 TEST(LeftOut, TheTextureOfTheSceneIsSeen) {
