@@ -97,7 +97,7 @@ void expectWarned(const BadInput& row, const std::string& verb) {
     }
 }
 
-/// What the row's first verb answers, as the documentation shows it: without the folder.
+/// The answer of the row's first verb, without the folder, as the documentation shows it.
 struct Answer {
     int status;
     std::string cell; ///< of a table
