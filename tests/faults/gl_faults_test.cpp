@@ -98,7 +98,7 @@ const std::vector<GlFault> faults = {
     {"NoMemoryForAMultisampledPicture",
      preloaded("no-memory:1"),
      {"--samples", "4"},
-     "samples a pixel: the GL is out of memory"},
+     "samples per pixel: the GL is out of memory"},
     {"NoMultisampledFramebuffer", preloaded(fault::noTarget), {"--samples", "4"}, "4 samples"},
     {"NoShadowMapFramebuffer", preloaded(fault::noTarget), map, "into a shadow map of 64 texels"},
     {"NoCoarseMaskFramebuffer",

@@ -18,7 +18,7 @@ std::unique_ptr<VolumeRenderer> makeVolumeRenderer(const RenderSettings& setting
     if (settings.rivals)
         if (auto volumes = settings.rivals->volumes(settings, capabilities, tints)) return volumes;
     throw Error(ExitStatus::unavailable,
-                "This build draws shadow volumes from plane-pair records alone.");
+                "This build draws shadow volumes from plane-pair records only.");
 }
 
 } // namespace edgeshade
