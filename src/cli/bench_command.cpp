@@ -58,10 +58,9 @@ std::vector<std::size_t> lightCountsFrom(const std::string& text) {
         const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), count);
         if (error != std::errc() || end != part.data() + part.size() || count < 1 ||
             count > mostLights)
-            throw CLI::ValidationError("--lights",
-                                       "'" + text + "' is neither file nor default nor " +
-                                           "numbers from 1 to " + std::to_string(mostLights) +
-                                           " with commas between them");
+            throw CLI::ValidationError(
+                "--lights", "'" + text + "' is not file, default or a list of " +
+                                "comma-separated numbers from 1 to " + std::to_string(mostLights));
         counts.push_back(count);
     }
     return counts;
@@ -163,8 +162,8 @@ void benchSynthetic(const BenchOptions& options) {
     if (options.frames > 0) task.turns = options.frames;
     task.method = options.settings.multiplicity.value_or(task.method);
     if (task.method == MultiplicityMethod::plane)
-        throw Error(ExitStatus::usage, "--multiplicity: with --synthetic it is that of the "
-                                       "opposite-vertex layouts, which have no planes.");
+        throw Error(ExitStatus::usage, "--multiplicity plane does not go with --synthetic, whose "
+                                       "opposite-vertex layouts have no planes.");
     task.timing = options.timing;
     Countdown countdown;
     const bench::SyntheticReport measured = bench::measureSynthetic(
@@ -185,7 +184,7 @@ void bench(const BenchOptions& options, const CLI::App& verb) {
         const bool fits = name == "--synthetic" || name == "--frames" || name == "--timing" ||
                           name == "--multiplicity" || name == "--report" || name == "--help";
         if (option->count() > 0 && !fits)
-            throw Error(ExitStatus::usage, name + " means nothing with --synthetic.");
+            throw Error(ExitStatus::usage, name + " does not go with --synthetic.");
     }
     benchSynthetic(options);
 }

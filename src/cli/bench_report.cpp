@@ -154,7 +154,7 @@ void BenchReport::add(const bench::Task& task, const std::vector<BenchSetting>& 
         if (measured.device.isSoftware()) doubts_.push_back(softwareWarning(measured.device));
         if (task.frames < fewFrames)
             doubts_.push_back("Medians of " + std::to_string(task.frames) +
-                              (task.frames == 1 ? " frame" : " frames") + " say little.");
+                              (task.frames == 1 ? " frame" : " frames") + " are unreliable.");
     }
     const bench::Result& own = measured.results.front();
     for (std::size_t i = 0; i < settings.size(); ++i) {
@@ -197,7 +197,7 @@ std::string BenchReport::table() const {
         text << std::setw(11) << head;
     text << std::setw(14) << "vertex runs" << std::setw(12) << "tile pairs" << std::setw(12)
          << "Mfragments" << std::setw(10) << "MB on GPU"
-         << "  own time / this: median (min..max)";
+         << "  first setting's time / this: median (min..max)";
     for (const Row& row : rows_) {
         const bench::Result& result = row.result;
         const bench::Spread spread = bench::spreadOf(result.frameMs);

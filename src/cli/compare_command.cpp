@@ -106,8 +106,8 @@ void compareExtents(const CompareOptions& options, const LoadedScene& loaded,
     });
     if (task.views.empty())
         throw Error(ExitStatus::usage,
-                    "No view's first light has an extent: --light-radius and --light-size are of "
-                    "point lights, --sun-angle is of directional ones.");
+                    "No view's first light has an extent: --light-radius and --light-size apply to "
+                    "point lights, --sun-angle to directional ones.");
     ProgressBar bar;
     const auto results =
         lab::compareCounts(loaded, task, [&](double share, const std::string& doing) {
@@ -115,9 +115,9 @@ void compareExtents(const CompareOptions& options, const LoadedScene& loaded,
         });
     warnOfFallbacks(results);
     std::ostringstream text;
-    text << std::left << std::setw(34) << "of the points of visible pixels" << std::right
-         << std::setw(10) << "wrong, %" << std::setw(14) << "pixels wrong" << std::setw(12)
-         << "beyond 1px" << std::setw(10) << "not tied";
+    text << std::left << std::setw(34) << "points of visible pixels" << std::right << std::setw(10)
+         << "wrong, %" << std::setw(14) << "pixels wrong" << std::setw(12) << "beyond 1px"
+         << std::setw(10) << "not tied";
     Json all = Json::array();
     for (std::size_t i = 0; i < results.size(); ++i) {
         const lab::WrongSums& sums = results[i].sums;
@@ -192,7 +192,7 @@ void compare(const CompareOptions& options, bool viewsTyped) {
     if (options.view.lights.extents.typed()) {
         if (!options.heatmap.empty())
             throw Error(ExitStatus::usage,
-                        "--heatmap shows one wrong mask, not those of a light with an extent.");
+                        "--heatmap shows a single mask, but a light with an extent has many.");
         return compareExtents(options, loaded, settings, task);
     }
     for (const DrawSettings& one : settings)
@@ -226,7 +226,7 @@ void compare(const CompareOptions& options, bool viewsTyped) {
 
 void compare(const CompareOptions&, bool) {
     throw Error(ExitStatus::unavailable,
-                "compare needs the ray-traced oracle, and this program was built without Embree.");
+                "compare needs the ray-traced oracle, but this program was built without Embree.");
 }
 
 #endif

@@ -103,10 +103,11 @@ std::vector<std::string> warningsOf(const FrameView& view) {
     std::vector<std::string> warnings;
     for (std::size_t i = 0; i < view.lights.size(); ++i)
         if (view.lights[i].layers.mayOverflow)
-            warnings.push_back("Light " + std::to_string(i) + ": up to " +
-                               std::to_string(view.lights[i].layers.most) +
-                               " triangles may lie behind each other, too many to count in groups; "
-                               "what exactly 256 of them shade, or 512, would come out lit.");
+            warnings.push_back(
+                "Light " + std::to_string(i) + ": up to " +
+                std::to_string(view.lights[i].layers.most) +
+                " triangles may lie behind each other, too many to count in groups; "
+                "points in the shadow of exactly 256 or 512 of them would appear lit.");
     return warnings;
 }
 
@@ -139,12 +140,12 @@ void requireFitting(const RenderOptions& options, const std::vector<Light>& ligh
     requireMapKind(options.settings, lights);
     if (options.settings.render.countedPoints() == 0 && !options.settings.extentOptions.empty())
         throw Error(ExitStatus::usage, options.settings.extentOptions.front() +
-                                           " does not go with --soft, which looks up a map "
-                                           "of the light's centre alone.");
+                                           " does not go with --soft, which samples one map "
+                                           "from the light's centre.");
     const bool extended = options.view.lights.extents.typed();
     if ((extended || options.subpixels > 1) && options.debug == DebugPicture::volumes)
-        throw Error(ExitStatus::usage, "--debug volumes shows those of one light without an extent "
-                                       "in one picture, not of many added up.");
+        throw Error(ExitStatus::usage, "--debug volumes shows the volumes of lights without an "
+                                       "extent in one picture, not in a sum of pictures.");
     if (extended && options.samples > 0)
         throw Error(ExitStatus::usage, "--samples does not go with lights that have an extent; "
                                        "--smooth does.");

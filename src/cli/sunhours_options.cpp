@@ -97,8 +97,8 @@ void addDates(CLI::App& verb, SunHoursOptions& options) {
             [&](const std::string& text) {
                 const double step = numberFrom(text, "--step");
                 if (step != std::floor(step) || step < 1.0 || step > 1440.0)
-                    throw CLI::ValidationError("--step",
-                                               "'" + text + "' is no whole number from 1 to 1440");
+                    throw CLI::ValidationError(
+                        "--step", "'" + text + "' is not a whole number from 1 to 1440");
                 options.typed.step = minutes(static_cast<int>(step));
             });
     addText(verb, "--hours", "A-B",
@@ -148,7 +148,7 @@ void addThresholds(CLI::App& verb, SunHoursOptions& options) {
                 options.preset = hours::findPreset(text);
                 if (!options.preset)
                     throw CLI::ValidationError("--preset",
-                                               "'" + text + "' is none of " + presetWords());
+                                               "'" + text + "' is not one of " + presetWords());
             })
         ->excludes(threshold);
 }
@@ -194,7 +194,8 @@ std::string SunHoursOptions::dateWarning() const {
            (preset->first == preset->last
                 ? text(preset->last)
                 : "a day from " + text(preset->first) + " to " + text(preset->last)) +
-           " (month-day), which " + sun::textOf(first) + " to " + sun::textOf(last) + " is not.";
+           " (month-day), but the dates are " + sun::textOf(first) + " to " + sun::textOf(last) +
+           ".";
 }
 
 nlohmann::ordered_json SunHoursOptions::settingsJson(const hours::Schedule& schedule,

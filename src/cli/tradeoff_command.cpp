@@ -47,8 +47,9 @@ void tradeoff(const TradeoffOptions& options) {
     requirePlottable(options.plot);
     options.view.lights.sun.requireUp();
     if (options.view.lights.extents.typed())
-        throw Error(ExitStatus::usage, "tradeoff is of hard shadows; 'bench' and 'compare' measure "
-                                       "lights with an extent.");
+        throw Error(ExitStatus::usage,
+                    "tradeoff measures hard shadows only; 'bench' and 'compare' measure "
+                    "lights with an extent.");
     const LoadedScene loaded =
         options.load(Shading::full, ShadowMethod::automatic, !options.culls.value_or(false));
     std::vector<std::string> warnings = loaded.scene.warnings.sentences();
@@ -83,14 +84,14 @@ void tradeoff(const TradeoffOptions& options) {
     writeReport(json, options.report);
     if (demanding && !best)
         throw Error(ExitStatus::unavailable,
-                    "No setting keeps within " + limitsOf(options) + " here.");
+                    "No setting stays within " + limitsOf(options) + " here.");
 }
 
 #else
 
 void tradeoff(const TradeoffOptions&) {
     throw Error(ExitStatus::unavailable,
-                "tradeoff needs the ray-traced oracle, and this program was built without Embree.");
+                "tradeoff needs the ray-traced oracle, but this program was built without Embree.");
 }
 
 #endif

@@ -188,7 +188,7 @@ void addViewCommand(CLI::App& program) {
     verb->prefix_command();
     verb->callback([] {
         throw Error(ExitStatus::unavailable,
-                    "This edgeshade was built without GLFW, so it has no 'view'.");
+                    "This program was built without GLFW, so it has no 'view'.");
     });
 }
 #endif
