@@ -130,8 +130,7 @@ void addTimingOption(CLI::App& verb, std::optional<gl::Timing>& timing) {
     addChoice(
         verb, "--timing", timing, timingNames,
         "By the GPU's timer queries, by waiting, or by the processor's time on all cores, which "
-        "suits a software GL on a busy machine (query where the GL can and it tells all, else "
-        "finish)");
+        "suits a software GL on a busy machine (query where it covers all work, else finish)");
 }
 
 void Countdown::show(double share, const std::string& doing) {

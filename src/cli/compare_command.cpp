@@ -240,8 +240,8 @@ void addCompareCommand(CLI::App& program) {
     verb->add_option("FILE", options->input, "The scene, .gltf or .glb, packed or not")->required();
     CLI::Option* views =
         verb->add_option("--views", options->views,
-                         "Views around and inside the scene, 1 to 1000 (16; with a camera of "
-                         "yours that one alone)")
+                         "Views around and inside the scene, 1 to 1000 (16; a camera option "
+                         "leaves one view)")
             ->check(CLI::Range(1, 1000))
             ->type_name("N");
     verb->add_option("--heatmap", options->heatmap,
