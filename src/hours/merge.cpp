@@ -109,7 +109,7 @@ Part merged(const std::vector<PartOfFile>& parts) {
         const Position& position = from.part.positions[index];
         if (!whole.positions.empty() && position.time <= whole.positions.back().time)
             throw InputError("'" + from.path + "': positions[" + std::to_string(index) +
-                             "].time is not after that of the position before it in the run.");
+                             "].time is not later than the position before it in the run.");
         whole.positions.push_back(position);
         for (std::size_t p = 0; p < whole.probes.size(); ++p)
             whole.probes[p].lit.push_back(from.part.probes[p].lit[index]);

@@ -104,7 +104,7 @@ const std::vector<GlFault> faults = {
     {"NoCoarseMaskFramebuffer",
      preloaded(fault::noTarget),
      {"--mask-scale", "1/2"},
-     "'--mask-scale 1' does without"},
+     "'--mask-scale 1' works without it"},
     {"ALostContext", preloaded("lost:1"), {}, "has lost its context"},
     {"AContextLostLater", preloaded("lost:3"), {}, "has lost its context"},
     {"AContextLostSilently", preloaded("lost-silently:2"), {}, "has lost its context"},

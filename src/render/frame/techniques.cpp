@@ -43,7 +43,7 @@ Techniques::Techniques(const RenderSettings& settings, const gl::Capabilities& c
             ExitStatus::unavailable,
             "'--shadows irregular-z-buffer' needs a GL that draws on the processor, with one "
             "sample per pixel and framebuffers with depth (GL_OES_packed_depth_stencil); "
-            "'--shadows volumes' does without.");
+            "'--shadows volumes' works without these.");
     if constexpr (hasPoints)
         if (policy.mayAskPoints())
             at(Technique::points) = std::make_unique<PointsTechnique>(capabilities);

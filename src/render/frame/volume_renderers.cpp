@@ -10,7 +10,7 @@ std::unique_ptr<VolumeRenderer> makeVolumeRenderer(const RenderSettings& setting
                                                    std::optional<VolumeTints> tints) {
     if (settings.layout != SidesLayout::notInstanced && !capabilities.instancing)
         throw Error(ExitStatus::unavailable,
-                    "This GL has no instanced drawing; '--instancing off' does without.");
+                    "This GL has no instanced drawing; '--instancing off' works without it.");
     const auto records = settings.records();
     if (!records) return nullptr;
     if (records->volumes == VolumeLayout::planePairs)
