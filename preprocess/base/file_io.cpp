@@ -146,7 +146,7 @@ Bytes readFile(const std::filesystem::path& path, std::uint64_t mostBytes) {
     const auto requireWithin = [&](std::uint64_t size, const char* about) {
         if (size > mostBytes)
             throw LimitError("'" + path.string() + "' has " + about + std::to_string(size) +
-                             " bytes, but the limit of a file is " + std::to_string(mostBytes) +
+                             " bytes, but the limit for a file is " + std::to_string(mostBytes) +
                              ".");
     };
     Bytes bytes;

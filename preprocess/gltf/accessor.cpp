@@ -140,7 +140,7 @@ void forEachElement(const GltfDocument& document, const tinygltf::Accessor& acce
     const int indexType = sparse.indices.componentType;
     if (!isIndexType(indexType))
         throw InputError(document.where(field) + ".sparse.indices.componentType is " +
-                         std::to_string(indexType) + ", no unsigned integer type.");
+                         std::to_string(indexType) + ", which is not an unsigned integer type.");
     const auto count = static_cast<std::size_t>(sparse.count);
     const ElementRange indices =
         elements(document, sparse.indices.bufferView, sparse.indices.byteOffset, count,
@@ -211,7 +211,7 @@ FloatArray readFloats(const GltfDocument& document, int index, const std::string
     if (array.components == 0 || componentSize == 0)
         throw InputError(document.where(name) + " has type " + std::to_string(accessor.type) +
                          " and componentType " + std::to_string(accessor.componentType) +
-                         ", which can't be read here.");
+                         ", which is not supported.");
     // An accessor without a buffer view is all zeros, and no data backs its count.
     if (accessor.bufferView < 0 && accessor.count > (1u << 24))
         throw InputError(document.where(name) + ".count is " + std::to_string(accessor.count) +

@@ -54,7 +54,7 @@ Bytes decodedBase64(std::string_view text, Fail fail) {
         }
         const int sextet = sextetOf(text[i]);
         if (sextet < 0 || padding > 0)
-            fail("character " + std::to_string(i) + " behind the comma is no base64");
+            fail("character " + std::to_string(i) + " after the comma is not base64");
         bits = bits << 6 | static_cast<std::uint32_t>(sextet);
         if (++sextets % 4 == 0)
             for (const int shift : {16, 8, 0})

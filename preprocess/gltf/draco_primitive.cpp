@@ -34,7 +34,7 @@ void requirePlausible(std::span<const std::uint8_t> bytes, const std::string& wh
     const auto check = [&](std::uint64_t count, const char* things) {
         if (count / largestExpansion > bytes.size())
             throw InputError(where + " says that it holds " + std::to_string(count) + " " + things +
-                             ", which can't come from " + std::to_string(bytes.size()) + " bytes.");
+                             ", which is too many for " + std::to_string(bytes.size()) + " bytes.");
     };
     check(claim->faces, "triangles");
     check(claim->points, "vertices");

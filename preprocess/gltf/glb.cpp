@@ -39,7 +39,7 @@ GlbChunks splitGlb(std::span<const std::uint8_t> bytes, const std::filesystem::p
                          "; only version 2 is read.");
     if (const auto length = readU32(bytes, 8); length > bytes.size())
         throw InputError(name + " is cut off: its header says " + std::to_string(length) +
-                         " bytes, there are " + std::to_string(bytes.size()) + ".");
+                         " bytes, but there are " + std::to_string(bytes.size()) + ".");
 
     GlbChunks chunks;
     bool haveJson = false;

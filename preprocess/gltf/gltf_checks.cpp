@@ -66,7 +66,7 @@ std::pair<int, int> versionOf(const JsonField& field) {
     const bool dotted = major.ec == std::errc() && major.ptr != end && *major.ptr == '.';
     const auto minor = dotted ? std::from_chars(major.ptr + 1, end, version.second) : major;
     if (!dotted || minor.ec != std::errc() || minor.ptr != end)
-        field.fail(" is '" + text + "', which is no version");
+        field.fail(" is '" + text + "', which is not a version");
     return version;
 }
 
@@ -76,7 +76,7 @@ void checkAsset(const JsonField& asset) {
         version.fail(" is '" + version.text() + "', but only glTF 2 is read");
     asset.ifPresent("minVersion", [](const JsonField& least) {
         if (versionOf(least) > std::pair(2, 0))
-            least.fail(" is '" + least.text() + "', but this program knows no more than glTF 2.0");
+            least.fail(" is '" + least.text() + "', but this program reads at most glTF 2.0");
     });
 }
 
@@ -149,11 +149,11 @@ void checkAccessor(const JsonField& accessor, std::size_t viewCount) {
     const JsonField componentType = accessor.member("componentType");
     if (componentType.index() < 5120 || componentType.index() > 5130)
         componentType.fail(" is " + std::to_string(componentType.index()) +
-                           ", which is no component type");
+                           ", which is not a component type");
     const JsonField type = accessor.member("type");
     constexpr std::array types = {"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"};
     if (std::find(types.begin(), types.end(), type.text()) == types.end())
-        type.fail(" is '" + type.text() + "', which is no accessor type");
+        type.fail(" is '" + type.text() + "', which is not an accessor type");
     accessor.ifPresent("sparse", [&](const JsonField& sparse) { checkSparse(sparse, viewCount); });
 }
 
@@ -248,7 +248,7 @@ void checkSampler(const JsonField& sampler) {
                    "33071, 33648 or 10497: clamp, mirror or repeat");
     checkOneOf(sampler, "magFilter", {9728, 9729}, "9728 or 9729: nearest or linear");
     checkOneOf(sampler, "minFilter", {9728, 9729, 9984, 9985, 9986, 9987},
-               "9728, 9729 or 9984 to 9987: nearest or linear, or these of mipmaps");
+               "9728, 9729 or 9984 to 9987: nearest or linear, with or without mipmaps");
 }
 
 /// Requires a section, if present, to be an array of objects; `check` checks each object.
@@ -307,8 +307,8 @@ std::string jsonFault(std::string_view text, std::size_t byte, bool inGlb) {
     const bool begun =
         start != std::string_view::npos && (text[start] == '{' || text[start] == '[');
     if (!inGlb && !begun) return " is neither GLB nor JSON.";
-    return " holds JSON that is wrong at byte " + std::to_string(byte) +
-           (byte > text.size() ? ": it ends too early." : ", which JSON does not allow there.");
+    return " holds invalid JSON at byte " + std::to_string(byte) +
+           (byte > text.size() ? ": it ends too early." : ": that byte is not allowed there.");
 }
 
 } // namespace
@@ -326,8 +326,8 @@ nlohmann::ordered_json parseJson(std::string_view text, const std::filesystem::p
     memory.take(text.size() + bytesPerValue * shape.values, 1, file + ": its JSON");
     std::string replaced;
     if (const auto invalid = firstInvalidUtf8(text)) {
-        warnings.add(file + " holds text that is no UTF-8, at byte " + std::to_string(*invalid) +
-                     " of its JSON first; U+FFFD stands for each such byte.");
+        warnings.add(file + " holds text that is not UTF-8, first at byte " +
+                     std::to_string(*invalid) + " of its JSON; each such byte is read as U+FFFD.");
         memory.take(3 * text.size(), 1, file + ": its JSON");
         text = replaced = withValidUtf8(text);
     }
@@ -353,8 +353,7 @@ void requireWithinLimits(const nlohmann::ordered_json& json, const std::filesyst
     const JsonField root(path, json);
     root.ifPresent("nodes", [&](const JsonField& nodes) {
         if (nodes.size() > memory.limits().nodes)
-            nodes.fail(" has " + std::to_string(nodes.size()) +
-                       " items, but the limit of nodes is " +
+            nodes.fail(" has " + std::to_string(nodes.size()) + " items, but the limit is " +
                        std::to_string(memory.limits().nodes));
     });
     root.forEachMember([&](const JsonField& section) {

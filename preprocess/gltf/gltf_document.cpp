@@ -39,9 +39,8 @@ std::filesystem::path pathOfUri(const GltfDocument& document, const std::string&
     if (hasScheme(decoded) || !isInside(place))
         throw InputError(said + "only files in the asset's own folder and data URIs are read.");
     if (decoded.find_first_of(std::string_view(":\0", 2)) != std::string::npos)
-        throw InputError(said +
-                         "no name with a colon or a zero byte is read, which means more than "
-                         "a name on some systems.");
+        throw InputError(said + "a name with a colon or a zero byte is not read, because some "
+                                "systems give it another meaning.");
     const std::filesystem::path path = document.path.parent_path() / place;
     std::error_code missing;
     const auto file = std::filesystem::canonical(path, missing);
@@ -52,7 +51,7 @@ std::filesystem::path pathOfUri(const GltfDocument& document, const std::string&
     if (missing || *file.lexically_relative(folder).begin() == "..")
         throw InputError(said + "that is a link out of the asset's own folder.");
     if (!std::filesystem::is_directory(file) && !std::filesystem::is_regular_file(file))
-        throw InputError(said + "that is no regular file.");
+        throw InputError(said + "that is not a regular file.");
     return file;
 }
 

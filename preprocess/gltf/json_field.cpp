@@ -77,7 +77,7 @@ std::string JsonField::oneOf(std::initializer_list<const char*> words) const {
         if (given == word) return given;
         all += (all.empty() ? "" : ", ") + std::string(word);
     }
-    fail(" is '" + given + "', which is none of " + all);
+    fail(" is '" + given + "', but must be one of " + all);
 }
 
 double JsonField::number() const {
@@ -122,7 +122,7 @@ std::int64_t JsonField::integer() const {
     const bool fits = value_.is_number_unsigned()
                           ? value_.get<std::uint64_t>() <= static_cast<std::uint64_t>(most)
                           : value_.is_number_integer() && value_.get<std::int64_t>() >= least;
-    if (!fits) failKind("a whole number of 32 bits");
+    if (!fits) failKind("a 32-bit whole number");
     return value_.get<std::int64_t>();
 }
 

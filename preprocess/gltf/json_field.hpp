@@ -114,7 +114,7 @@ auto withJsonErrors(const std::filesystem::path& file, Action action) {
     } catch (const nlohmann::json::exception& error) {
         const std::string message = clauseOf(error.what()); // "[json.exception. ...] text"
         const std::size_t text = message.find("] ");
-        throw InputError("'" + file.string() + "' is no valid glTF 2.0: " +
+        throw InputError("'" + file.string() + "' is not valid glTF 2.0: " +
                          message.substr(text == std::string::npos ? 0 : text + 2) + ".");
     }
 }

@@ -49,7 +49,7 @@ CompressedView readFields(const GltfDocument& document, const JsonField& extensi
     const std::size_t length = sizeIn(extension.member("byteLength"));
     const Bytes& bytes = document.buffers[buffer];
     if (offset > bytes.size() || length > bytes.size() - offset)
-        extension.fail(" ends past the end of buffer " + std::to_string(buffer));
+        extension.fail(" extends past the end of buffer " + std::to_string(buffer));
     const auto filter = extension.find("filter");
     return {std::span(bytes).subspan(offset, length), sizeIn(extension.member("byteStride")),
             sizeIn(extension.member("count")), extension.member("mode").text(),
@@ -79,7 +79,8 @@ void requireSupported(const CompressedView& view, const JsonField& extension) {
         extension.fail(".byteStride is " + std::to_string(view.stride) + ", which mode " +
                        view.mode + " does not allow");
     if (view.mode == "TRIANGLES" && view.count % 3 != 0)
-        extension.fail(".count is " + std::to_string(view.count) + ", no multiple of 3");
+        extension.fail(".count is " + std::to_string(view.count) +
+                       ", which is not a multiple of 3");
     const bool octahedral = view.filter == "OCTAHEDRAL" && (view.stride == 4 || view.stride == 8);
     const bool quaternion = view.filter == "QUATERNION" && view.stride == 8;
     const bool exponential = view.filter == "EXPONENTIAL" && view.stride % 4 == 0;
@@ -97,7 +98,7 @@ void requireKnownVersion(const CompressedView& view, const JsonField& extension)
     const int version = view.bytes.empty() ? 0 : view.bytes[0] - vertexCodec;
     if (view.mode == "ATTRIBUTES" && version > 0 && version < 16)
         extension.fail(" holds vertices of codec version " + std::to_string(version) +
-                       ", but this program decodes version 0 alone");
+                       ", but this program decodes only version 0");
 }
 
 /// Checks the count against the available data before allocating memory for it.
@@ -111,7 +112,7 @@ void requirePlausible(const CompressedView& view, std::uint64_t viewLength,
         extension.fail(count + " with byteStride " + std::to_string(view.stride) +
                        ", but the view has " + std::to_string(viewLength) + " bytes");
     if (decoded / largestExpansion > view.bytes.size())
-        extension.fail(count + ", which can't come from " + std::to_string(view.bytes.size()) +
+        extension.fail(count + ", which is too many for " + std::to_string(view.bytes.size()) +
                        " bytes");
 }
 

@@ -196,7 +196,7 @@ tinygltf::Model typedModel(const Json& json, const BrokenAnimations& brokenAnima
     // tinygltf's messages name no field, and the earlier checks should have reported any error
     // already.
     if (!parsed || !errors.empty())
-        throw InputError("'" + path.string() + "' is no valid glTF 2.0: it could not be parsed.");
+        throw InputError("'" + path.string() + "' is not valid glTF 2.0: it could not be parsed.");
     model.bufferViews.resize(json.contains("bufferViews") ? json["bufferViews"].size() : 0);
     for (const std::size_t accessor : standIns.accessors)
         model.accessors.at(accessor).bufferView = -1;

@@ -8,7 +8,7 @@ PackedScene packScene(const std::filesystem::path& file, const PackSettings& set
     const auto require = [](bool holds, const char* what, double value) {
         if (!holds)
             throw InputError(std::string(what) + " is " + std::to_string(value) +
-                             ", which it can't be.");
+                             ", which is out of range.");
     };
     // These comparisons refuse NaN too.
     require(settings.weldTolerance >= 0.0, "weldTolerance", settings.weldTolerance);

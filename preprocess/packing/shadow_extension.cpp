@@ -92,7 +92,7 @@ std::optional<ShadowHeader> readShadowHeader(const GltfDocument& document) {
     const JsonField multiplicity = extension.member("maxMultiplicity");
     const auto value = multiplicity.integer();
     if (value < 1 || value > LARGEST_RECORD_MULTIPLICITY)
-        multiplicity.fail(" is " + std::to_string(value) + ", not 1 to " +
+        multiplicity.fail(" is " + std::to_string(value) + ", but must be 1 to " +
                           std::to_string(LARGEST_RECORD_MULTIPLICITY));
     header.maxMultiplicity = static_cast<int>(value);
     header.settings.weldTolerance = notNegative(extension.member("weldTolerance"));
@@ -100,7 +100,8 @@ std::optional<ShadowHeader> readShadowHeader(const GltfDocument& document) {
     const JsonField flat = extension.member("flatTolerance");
     header.settings.flatTolerance = notNegative(flat);
     if (header.settings.flatTolerance >= flatToleranceEnd)
-        flat.fail(" is " + std::to_string(header.settings.flatTolerance) + ", not below 45");
+        flat.fail(" is " + std::to_string(header.settings.flatTolerance) +
+                  ", but must be below 45");
     header.settings.castMasked = extension.member("castMasked").boolean();
     header.settings.instances = InstanceChoice::repeated;
     extension.ifPresent("instances", [&](const JsonField& instances) {

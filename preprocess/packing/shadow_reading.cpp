@@ -74,7 +74,7 @@ class BatchReader {
         shadow.caps.records = vectors("caps");
         if (shadow.sides.records.size() % shadow.sides.vectorsPerRecord() != 0)
             fail(".sides has " + std::to_string(shadow.sides.records.size()) +
-                 " vectors, no whole number of records");
+                 " vectors, which is not a whole number of records");
         if (shadow.caps.records.size() != capCount * CapsData::vectorsPerRecord)
             fail(".caps has " + std::to_string(shadow.caps.records.size()) +
                  " vectors, but there are " + std::to_string(capCount) + " casting triangles");
@@ -99,8 +99,9 @@ class BatchReader {
                         edgeCount, opposites, mesh.positions.size());
         if (decoded.fault)
             fail("." + std::string(keyOf(*decoded.fault)) +
-                 (decoded.edge ? " holds what can't be at edge " + std::to_string(*decoded.edge)
-                               : " does not decode"));
+                 (decoded.edge
+                      ? " holds an impossible value at edge " + std::to_string(*decoded.edge)
+                      : " does not decode"));
         return std::move(decoded.edges);
     }
 
@@ -120,12 +121,12 @@ class BatchReader {
         const std::size_t count = elementCount(document_, accessorOf(key), field_ + "." + key);
         if (count > most)
             fail("." + std::string(key) + " has " + std::to_string(count) +
-                 " elements, but at most " + std::to_string(most) + " can be of use");
+                 " elements, but at most " + std::to_string(most) + " can be used");
     }
 
     std::vector<glm::vec4> vectors(const char* key) const {
         const FloatArray array = readFloats(document_, accessorOf(key), field_ + "." + key);
-        if (array.components != 4) fail(std::string(".") + key + " is no VEC4 accessor");
+        if (array.components != 4) fail(std::string(".") + key + " is not a VEC4 accessor");
         for (const float value : array.values)
             if (!std::isfinite(value)) fail(std::string(".") + key + " holds NaN or infinity");
         std::vector<glm::vec4> result(array.count());
@@ -140,7 +141,7 @@ class BatchReader {
     Bytes bytes(const char* key) const {
         const std::vector<std::uint32_t> values = integers(key);
         for (const std::uint32_t value : values)
-            if (value > 0xFF) fail("." + std::string(key) + " holds more than bytes");
+            if (value > 0xFF) fail("." + std::string(key) + " holds values above 255");
         return {values.begin(), values.end()};
     }
 
@@ -156,7 +157,7 @@ class BatchReader {
                                           : w == 0.0f;
             if (!valid)
                 fail(".sides has the fourth component " + std::to_string(w) + " in vector " +
-                     std::to_string(i) + ", which means nothing");
+                     std::to_string(i) + ", which has no meaning");
         }
     }
 

@@ -91,7 +91,7 @@ class AnimationReader {
         const auto put = [&](std::optional<Keyframes>& to, const auto& read) {
             if (to)
                 throw InputError(document_.where(field) + " moves nodes[" + std::to_string(node) +
-                                 "]." + path + " by two channels.");
+                                 "]." + path + " with two channels.");
             to = read();
             animation.duration =
                 std::max(animation.duration, static_cast<double>(to->times->back()));
@@ -119,10 +119,10 @@ class AnimationReader {
         const tinygltf::Node& node = document_.model->nodes.at(index);
         if (!hasMatrix(node)) return restTransform(node);
         const std::string matrix = document_.where("nodes[") + std::to_string(index) +
-                                   "].matrix can't be moved by " + field;
+                                   "].matrix can't be animated by " + field;
         const auto parts = partsOf(restMatrix(node));
-        if (!parts) throw InputError(matrix + "; translation, rotation and scale can.");
-        warnings_.add(matrix + "; the translation, rotation and scale that make it are moved.");
+        if (!parts) throw InputError(matrix + "; only translation, rotation and scale can.");
+        warnings_.add(matrix + "; its translation, rotation and scale are animated instead.");
         return *parts;
     }
 
@@ -155,18 +155,18 @@ class AnimationReader {
         if (keyframes.interpolation == Interpolation::cubicSpline && count == 1) {
             warnings_.add(document_.where(field) +
                           ".input has 1 element, but a CUBICSPLINE needs 2 "
-                          "or more; it has its value all the time.");
+                          "or more; its value stays constant.");
             // without tangents
             if (found == elements) keyframes.interpolation = Interpolation::step;
         }
         const bool isSpline = keyframes.interpolation == Interpolation::cubicSpline;
         const std::size_t wanted = (isSpline ? 3 * count : count) * elements;
         if (found != wanted)
-            throw InputError(document_.where(field) + ".output has " + std::to_string(found) +
-                             " elements, but " + sampler.interpolation + " of " +
-                             std::to_string(count) + " times " +
-                             (elements == 1 ? "" : std::to_string(elements) + " weights ") +
-                             "needs " + std::to_string(wanted) + ".");
+            throw InputError(
+                document_.where(field) + ".output has " + std::to_string(found) +
+                " elements, but " + sampler.interpolation + " with " + std::to_string(count) +
+                " times " + (elements == 1 ? "" : "and " + std::to_string(elements) + " weights ") +
+                "needs " + std::to_string(wanted) + ".");
         return keyframes;
     }
 
@@ -186,7 +186,7 @@ class AnimationReader {
                                       " at element " + std::to_string(i) + " after " +
                                       shown(array.values[i - 1]) + ", but times must increase";
             if (array.values[i] < array.values[i - 1]) throw InputError(order + ".");
-            warnings_.add(order + "; there is a step there.");
+            warnings_.add(order + "; the value jumps there.");
         }
         return times = std::make_shared<const std::vector<float>>(array.values);
     }
@@ -222,7 +222,7 @@ class AnimationReader {
             const float* q = &array.values[4 * e];
             if (q[0] == 0.0f && q[1] == 0.0f && q[2] == 0.0f && q[3] == 0.0f)
                 throw InputError(document_.where(field) + " holds (0, 0, 0, 0) at element " +
-                                 std::to_string(e) + ", which is no rotation.");
+                                 std::to_string(e) + ", which is not a rotation.");
         }
     }
 

@@ -22,7 +22,8 @@ SceneCamera lensOf(const JsonField& camera) {
         const JsonField ymag = lens.member("ymag");
         const double half = std::abs(ymag.notZero());
         if (half < smallestLength || half > farthestPlace)
-            ymag.fail(" is " + ymag.value().dump() + ", but must be of a size from 1e-12 to 1e12");
+            ymag.fail(" is " + ymag.value().dump() +
+                      ", but must have a magnitude from 1e-12 to 1e12");
         read.height = 2.0 * half;
         lens.member("znear").notNegative();
         lens.member("zfar").positive();
@@ -30,7 +31,7 @@ SceneCamera lensOf(const JsonField& camera) {
         const JsonField yfov = lens.member("yfov");
         read.height = yfov.positive();
         if (read.height < narrowestAngle || read.height >= std::numbers::pi)
-            yfov.fail(" is " + yfov.value().dump() + ", but must be from 1e-6 to below pi");
+            yfov.fail(" is " + yfov.value().dump() + ", but must be at least 1e-6 and below pi");
         lens.member("znear").positive();
         lens.ifPresent("zfar", [](const JsonField& far) { far.positive(); });
         lens.ifPresent("aspectRatio", [](const JsonField& aspect) { aspect.positive(); });

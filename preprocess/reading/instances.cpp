@@ -37,7 +37,7 @@ FloatArray readAttribute(const GltfDocument& document, const JsonField& attribut
             const float* q = &values.values[4 * i];
             if (q[0] == 0.0f && q[1] == 0.0f && q[2] == 0.0f && q[3] == 0.0f)
                 attribute.fail(" holds (0, 0, 0, 0) at element " + std::to_string(i) +
-                               ", which is no rotation");
+                               ", which is not a rotation");
         }
     });
     return values;
@@ -110,7 +110,7 @@ void warnOfNoAttributes(const GltfDocument& document, int node, Warnings& warnin
     withExtension(document, node, [&](const JsonField& extension) {
         if (!hasAttributes(extension))
             warnings.add(extension.where() +
-                         ".attributes is empty, so that nobody knows how many instances there are; "
+                         ".attributes is empty, so the number of instances is unknown; "
                          "the mesh is drawn once.");
     });
 }

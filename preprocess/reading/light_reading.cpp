@@ -51,7 +51,7 @@ std::optional<double> rangeOf(const JsonField& range, SceneLight::Kind kind, War
     if (kind == SceneLight::Kind::directional) {
         if (isZero)
             warnings.add(range.where() + " is 0, but directional lights have no range; it is "
-                                         "left aside.");
+                                         "ignored.");
         return std::nullopt;
     }
     if (isZero) {
@@ -88,7 +88,7 @@ void place(SceneLight& light, const JsonField& reference, const glm::dmat4& worl
     light.position = placeOf(reference, worldFromNode);
     if (light.kind == SceneLight::Kind::point) return;
     const auto forward = forwardOf(worldFromNode, unflattened);
-    if (!forward) reference.fail(" is placed by a node that is scaled to nothing");
+    if (!forward) reference.fail(" is placed by a node whose transform is degenerate");
     light.direction = *forward;
 }
 

@@ -11,7 +11,7 @@ namespace {
 /// The number as a float, for the shaders.
 float finiteFloat(const JsonField& field) {
     const auto value = static_cast<float>(field.number());
-    if (!std::isfinite(value)) field.fail(" has a number past the range of floats");
+    if (!std::isfinite(value)) field.fail(" has a number outside the range of floats");
     return value;
 }
 
@@ -61,7 +61,7 @@ class MaterialReader {
         if (alphaMode == "MASK") material_.alphaMode = AlphaMode::mask;
         if (alphaMode == "BLEND") material_.alphaMode = AlphaMode::blend;
         material_.alphaCutoff = floatOr(source_, "alphaCutoff", 0.5f);
-        orLeaveOut("its two sides are", [&] {
+        orLeaveOut("doubleSided is", [&] {
             const auto sides = source_.find("doubleSided");
             material_.doubleSided = sides && sides->boolean();
         });
@@ -77,7 +77,8 @@ class MaterialReader {
             orLeaveOut("its highlights are", [&] { readSpecularGlossiness(glossy); });
         });
         if (metallic && !material_.specularGlossiness)
-            orLeaveOut("its metal and roughness are", [&] { readMetallicRoughness(*metallic); });
+            orLeaveOut("its metalness and roughness are",
+                       [&] { readMetallicRoughness(*metallic); });
         if (material_.unlit)
             keepBase(material_);
         else
@@ -115,7 +116,7 @@ class MaterialReader {
                 texture.uvTransform = uvTransformOf(transform);
                 for (glm::length_t c = 0; c < 3; ++c)
                     if (!std::isfinite(glm::dot(texture.uvTransform[c], glm::vec3(1.0f))))
-                        transform.fail(" has a number past the range of floats");
+                        transform.fail(" has a number outside the range of floats");
                 if (const auto own = transform.find("texCoord")) texture.texcoordSet = own->index();
             });
             texture.sampler = samplerOf(texture.texture);
@@ -166,7 +167,7 @@ class MaterialReader {
     }
 
     void readWhatReflects() {
-        orLeaveOut("its normals are", [&] {
+        orLeaveOut("its normal map is", [&] {
             const auto info = source_.find("normalTexture");
             if (!info) return;
             material_.normalScale = floatOr(*info, "scale", 1.0f);
@@ -180,7 +181,7 @@ class MaterialReader {
             if (material_.occlusionStrength > 0.0f)
                 readTexture(source_, "occlusionTexture", TextureSlot::occlusion);
         });
-        orLeaveOut("what it gives off is", [&] { readEmission(); });
+        orLeaveOut("its emission is", [&] { readEmission(); });
         readExtension("KHR_materials_ior", "its highlights are", [&](const JsonField& extension) {
             const float ior = floatOr(extension, "ior", 1.5f);
             if (ior != 0.0f && ior < 1.0f)
@@ -196,7 +197,7 @@ class MaterialReader {
         readExtension("KHR_materials_clearcoat", "its clear coat is",
                       [&](const JsonField& extension) { readClearcoat(extension); });
         readExtension(
-            "KHR_materials_transmission", "its glass is", [&](const JsonField& extension) {
+            "KHR_materials_transmission", "its transmission is", [&](const JsonField& extension) {
                 material_.transmission = shareOr(extension, "transmissionFactor", 0.0f);
                 if (material_.transmission == 0.0f || material_.alphaMode != AlphaMode::opaque)
                     return;
@@ -212,7 +213,7 @@ class MaterialReader {
             material_.emissive *= std::max(floatOr(extension, "emissiveStrength", 1.0f), 0.0f);
         });
         if (!std::isfinite(glm::dot(material_.emissive, glm::vec3(1.0f))))
-            source_.member("emissiveFactor").fail(" has a number past the range of floats");
+            source_.member("emissiveFactor").fail(" has a number outside the range of floats");
         if (material_.emissive != glm::vec3(0.0f))
             readTexture(source_, "emissiveTexture", TextureSlot::emissive);
     }
@@ -255,8 +256,9 @@ class MaterialReader {
             while (channel < material_.texcoordChannels && channels[channel] != wanted)
                 ++channel;
             if (channel == mostTexcoordChannels) {
-                readOrWarn(warnings_, "a texture that takes a fifth is left out", [&] {
-                    source_.fail(" takes more than four kinds of texture coordinates");
+                readOrWarn(warnings_, "a texture that needs a fifth is left out", [&] {
+                    source_.fail(
+                        " uses more than four combinations of texture coordinates and transforms");
                 });
                 texture = {};
                 continue;

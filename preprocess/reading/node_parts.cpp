@@ -26,7 +26,7 @@ glm::dvec3 placeOf(const JsonField& reference, const glm::dmat4& worldFromNode) 
 glm::dmat4 rigidPlaceOf(const JsonField& reference, const glm::dmat4& worldFromNode,
                         const glm::dmat4& unflattened) {
     const auto turn = turnOf(worldFromNode, unflattened);
-    if (!turn) reference.fail(" is placed by a node that is scaled to nothing");
+    if (!turn) reference.fail(" is placed by a node whose transform is degenerate");
     glm::dmat4 rigid(*turn);
     rigid[3] = glm::dvec4(placeOf(reference, worldFromNode), 1.0);
     return rigid;

@@ -148,7 +148,7 @@ NodeWalk walkNodes(const GltfDocument& document) {
         const Hanging& from = visit.from;
         const std::string field = "nodes[" + std::to_string(visit.node) + "]";
         if (visit.node < 0 || static_cast<std::size_t>(visit.node) >= nodes.size())
-            throw InputError(document.where(field) + " is referred to, but there are " +
+            throw InputError(document.where(field) + " is referenced, but there are " +
                              std::to_string(nodes.size()) + " nodes.");
         if (reached[visit.node])
             throw InputError(document.where(field) +
@@ -156,7 +156,8 @@ NodeWalk walkNodes(const GltfDocument& document) {
         const std::uint64_t depth = from.depth + 1;
         if (depth > deepest)
             throw InputError(document.where(field) + " lies on level " + std::to_string(depth) +
-                             " of the nodes, but the limit is " + std::to_string(deepest) + ".");
+                             " of the node tree, but the limit is " + std::to_string(deepest) +
+                             ".");
         reached[visit.node] = true;
 
         const tinygltf::Node& node = nodes[visit.node];

@@ -9,10 +9,10 @@ TriangleMesh triangleMesh(std::span<const float> positions,
                           std::span<const std::uint32_t> indices) {
     if (positions.size() % 3 != 0)
         throw InputError("A mesh has " + std::to_string(positions.size()) +
-                         " numbers for positions, which is not three a vertex.");
+                         " position numbers, which is not three per vertex.");
     if (indices.size() % 3 != 0)
         throw InputError("A mesh has " + std::to_string(indices.size()) +
-                         " indices, which is not three a triangle.");
+                         " indices, which is not three per triangle.");
     TriangleMesh mesh;
     const std::size_t vertices = positions.size() / 3;
     mesh.positions.reserve(vertices);

@@ -301,8 +301,9 @@ class Course {
                                                [](const auto& span) { return span.disturbed; });
             if (!disturbed) return spans;
         }
-        throw Error(ExitStatus::unavailable,
-                    "The GPU's clock is disturbed in every frame; '--timing finish' does without.");
+        throw Error(
+            ExitStatus::unavailable,
+            "The GPU's timer is disjoint in every frame; '--timing finish' needs no timer.");
     }
 
     double frameMs(Contender& contender) {

@@ -128,7 +128,7 @@ class Halving {
     }
 
     void prepare(Steps& steps, const std::function<void()>& use) {
-        say(std::string("making what ") + steps.name + "s take");
+        say(std::string("preparing ") + steps.name + "s");
         const double before = measurer_.clock();
         use();
         steps.preparing = (measurer_.clock() - before) / static_cast<double>(who_.size());

@@ -41,7 +41,7 @@ std::map<std::size_t, double> timesOf(SyntheticSubject& subject, const Synthetic
     gl::requireNoError("evaluating synthetic edges");
     if (times.empty())
         throw Error(ExitStatus::unavailable,
-                    "The GPU's clock is disturbed in every turn; '--timing finish' does without.");
+                    "The GPU's timer is disjoint in every turn; '--timing finish' needs no timer.");
     std::map<std::size_t, double> perDraw;
     for (std::size_t i = 0; i < times.size(); ++i)
         perDraw[task.edges[i]] = times[i] / static_cast<double>(drawsOf(i));

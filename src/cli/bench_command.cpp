@@ -58,10 +58,9 @@ std::vector<std::size_t> lightCountsFrom(const std::string& text) {
         const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), count);
         if (error != std::errc() || end != part.data() + part.size() || count < 1 ||
             count > mostLights)
-            throw CLI::ValidationError("--lights",
-                                       "'" + text + "' is neither file nor default nor " +
-                                           "numbers from 1 to " + std::to_string(mostLights) +
-                                           " with commas between them");
+            throw CLI::ValidationError(
+                "--lights", "'" + text + "' is not file, default or a list of " +
+                                "comma-separated numbers from 1 to " + std::to_string(mostLights));
         counts.push_back(count);
     }
     return counts;
@@ -81,11 +80,10 @@ void replaceLightsOption(CLI::App& verb, BenchOptions& options) {
                     else
                         options.lightCounts = lightCountsFrom(text);
                 },
-                "Whose lights there are where none are typed: the file's if it has some, or a sun "
-                "from above (file); or numbers, 1 to " +
+                "Lights where none are typed: the file's if it has any, else a sun from above "
+                "(file); or numbers, 1 to " +
                     std::to_string(mostLights) +
-                    ": so many point lights scattered over the scene, measured one number after "
-                    "the other")
+                    ": that many point lights scattered over the scene, one number after the other")
             ->type_name("file|default|N,N,...");
     for (const char* typed : {"--light", "--sun", "--place"})
         lights->excludes(verb.get_option(typed));
@@ -163,8 +161,8 @@ void benchSynthetic(const BenchOptions& options) {
     if (options.frames > 0) task.turns = options.frames;
     task.method = options.settings.multiplicity.value_or(task.method);
     if (task.method == MultiplicityMethod::plane)
-        throw Error(ExitStatus::usage, "--multiplicity: with --synthetic it is that of the "
-                                       "opposite-vertex layouts, which have no planes.");
+        throw Error(ExitStatus::usage, "--multiplicity plane does not go with --synthetic, whose "
+                                       "opposite-vertex layouts have no planes.");
     task.timing = options.timing;
     Countdown countdown;
     const bench::SyntheticReport measured = bench::measureSynthetic(
@@ -185,7 +183,7 @@ void bench(const BenchOptions& options, const CLI::App& verb) {
         const bool fits = name == "--synthetic" || name == "--frames" || name == "--timing" ||
                           name == "--multiplicity" || name == "--report" || name == "--help";
         if (option->count() > 0 && !fits)
-            throw Error(ExitStatus::usage, name + " means nothing with --synthetic.");
+            throw Error(ExitStatus::usage, name + " does not go with --synthetic.");
     }
     benchSynthetic(options);
 }
@@ -194,28 +192,29 @@ void bench(const BenchOptions& options, const CLI::App& verb) {
 
 void addBenchCommand(CLI::App& program) {
     CLI::App* verb = program.add_subcommand(
-        "bench", "Measure frame times by stage over a flight through a scene, or what edges cost");
+        "bench",
+        "Measure frame times by stage over a flight through a scene, or the cost of edges");
     const auto options = std::make_shared<BenchOptions>();
     verb->add_option("FILE", options->input, "The scene, .gltf or .glb, packed or not");
     verb->add_flag(
         "--synthetic", options->synthetic,
         "No scene: 10,000 to 90,000 edges of multiplicity 1 to 9 in every layout, vertex "
-        "work alone, with the thesis' Equation 6.10 fitted");
-    verb->add_option("--frames", options->frames,
-                     "Frames of the flight, 1 to 100000 (120); turns with --synthetic (9). With a "
-                     "camera of yours it stays there")
+        "work only, and a fit of the thesis' Equation 6.10");
+    verb->add_option(
+            "--frames", options->frames,
+            "Frames of the flight, 1 to 100000 (120); turns with --synthetic (9). A camera "
+            "option fixes the view")
         ->check(CLI::Range(1, 100000))
         ->type_name("N");
-    verb->add_option("--warm-up", options->warmUp, "Frames before that are not measured (3)")
+    verb->add_option("--warm-up", options->warmUp, "Frames drawn first, not measured (3)")
         ->check(CLI::Range(0, 1000))
         ->type_name("N");
     verb->add_flag("--light-moves", options->lightMoves,
-                   "Lights draw small circles, so shadow maps are drawn anew for every frame; "
-                   "without, they are kept, as they are where nothing moves");
+                   "Move lights in small circles, so that shadow maps are drawn in every frame; "
+                   "otherwise they are drawn once and kept");
     verb->add_option("--light-circle", options->circle,
-                     "How far from their circles' middles lights are with --light-moves: suns so "
-                     "many degrees, lamps 150ths of the scene's diagonal, 0.000001 to 10 "
-                     "(3)")
+                     "Radius of the circles of --light-moves: degrees for suns, 150ths of the "
+                     "scene's diagonal for lamps, 0.000001 to 10 (3)")
         ->check(finite())
         ->check(CLI::Range(1e-6, 10.0))
         ->needs("--light-moves")

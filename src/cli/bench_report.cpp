@@ -130,8 +130,7 @@ void addTimingOption(CLI::App& verb, std::optional<gl::Timing>& timing) {
     addChoice(
         verb, "--timing", timing, timingNames,
         "By the GPU's timer queries, by waiting, or by the processor's time on all cores, which "
-        "suits a software GL on a busy machine (query where the GL can and it tells all, else "
-        "finish)");
+        "suits a software GL on a busy machine (query where it covers all work, else finish)");
 }
 
 void Countdown::show(double share, const std::string& doing) {
@@ -154,7 +153,7 @@ void BenchReport::add(const bench::Task& task, const std::vector<BenchSetting>& 
         if (measured.device.isSoftware()) doubts_.push_back(softwareWarning(measured.device));
         if (task.frames < fewFrames)
             doubts_.push_back("Medians of " + std::to_string(task.frames) +
-                              (task.frames == 1 ? " frame" : " frames") + " say little.");
+                              (task.frames == 1 ? " frame" : " frames") + " are unreliable.");
     }
     const bench::Result& own = measured.results.front();
     for (std::size_t i = 0; i < settings.size(); ++i) {
@@ -197,7 +196,7 @@ std::string BenchReport::table() const {
         text << std::setw(11) << head;
     text << std::setw(14) << "vertex runs" << std::setw(12) << "tile pairs" << std::setw(12)
          << "Mfragments" << std::setw(10) << "MB on GPU"
-         << "  own time / this: median (min..max)";
+         << "  first setting's time / this: median (min..max)";
     for (const Row& row : rows_) {
         const bench::Result& result = row.result;
         const bench::Spread spread = bench::spreadOf(result.frameMs);

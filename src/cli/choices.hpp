@@ -40,7 +40,8 @@ void addChoice(CLI::App& verb, const std::string& option, Target& value,
                     value = meaning;
                     return;
                 }
-        throw CLI::ValidationError(option, "'" + text + "' is none of " + wordsOf(choices, ", "));
+        throw CLI::ValidationError(option,
+                                   "'" + text + "' is not one of " + wordsOf(choices, ", "));
     };
     verb.add_option_function<std::string>(option, use, help)->type_name(wordsOf(choices, "|"));
 }

@@ -106,8 +106,8 @@ void compareExtents(const CompareOptions& options, const LoadedScene& loaded,
     });
     if (task.views.empty())
         throw Error(ExitStatus::usage,
-                    "No view's first light has an extent: --light-radius and --light-size are of "
-                    "point lights, --sun-angle is of directional ones.");
+                    "No view's first light has an extent: --light-radius and --light-size apply to "
+                    "point lights, --sun-angle to directional ones.");
     ProgressBar bar;
     const auto results =
         lab::compareCounts(loaded, task, [&](double share, const std::string& doing) {
@@ -115,9 +115,9 @@ void compareExtents(const CompareOptions& options, const LoadedScene& loaded,
         });
     warnOfFallbacks(results);
     std::ostringstream text;
-    text << std::left << std::setw(34) << "of the points of visible pixels" << std::right
-         << std::setw(10) << "wrong, %" << std::setw(14) << "pixels wrong" << std::setw(12)
-         << "beyond 1px" << std::setw(10) << "not tied";
+    text << std::left << std::setw(34) << "points of visible pixels" << std::right << std::setw(10)
+         << "wrong, %" << std::setw(14) << "pixels wrong" << std::setw(12) << "beyond 1px"
+         << std::setw(10) << "not tied";
     Json all = Json::array();
     for (std::size_t i = 0; i < results.size(); ++i) {
         const lab::WrongSums& sums = results[i].sums;
@@ -192,7 +192,7 @@ void compare(const CompareOptions& options, bool viewsTyped) {
     if (options.view.lights.extents.typed()) {
         if (!options.heatmap.empty())
             throw Error(ExitStatus::usage,
-                        "--heatmap shows one wrong mask, not those of a light with an extent.");
+                        "--heatmap shows a single mask, but a light with an extent has many.");
         return compareExtents(options, loaded, settings, task);
     }
     for (const DrawSettings& one : settings)
@@ -226,7 +226,7 @@ void compare(const CompareOptions& options, bool viewsTyped) {
 
 void compare(const CompareOptions&, bool) {
     throw Error(ExitStatus::unavailable,
-                "compare needs the ray-traced oracle, and this program was built without Embree.");
+                "compare needs the ray-traced oracle, but this program was built without Embree.");
 }
 
 #endif
@@ -240,8 +240,8 @@ void addCompareCommand(CLI::App& program) {
     verb->add_option("FILE", options->input, "The scene, .gltf or .glb, packed or not")->required();
     CLI::Option* views =
         verb->add_option("--views", options->views,
-                         "Views around and inside the scene, 1 to 1000 (16; with a camera of "
-                         "yours that one alone)")
+                         "Views around and inside the scene, 1 to 1000 (16; a camera option "
+                         "leaves one view)")
             ->check(CLI::Range(1, 1000))
             ->type_name("N");
     verb->add_option("--heatmap", options->heatmap,

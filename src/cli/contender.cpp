@@ -31,7 +31,7 @@ void lookAt(lab::CompareTask& task, const ViewOptions& view, const Scene& scene,
                                            " is one view, so --views does not go with it.");
     if (view.hasCamera() && !viewsTyped) {
         const FrameRequest request = requestFor(view, scene);
-        task.views = {{"as asked", request.frustum, request.lights.front()}};
+        task.views = {{"as requested", request.frustum, request.lights.front()}};
         task.lights = request.lights;
     } else {
         task.views = lab::labViews(scene, static_cast<std::size_t>(views), view.fovDegrees,

@@ -18,8 +18,8 @@ std::string methodsOf(const Renderer& renderer, const GpuScene& scene, const Fra
         const LightMethod& of = methods[i];
         text += "light " + std::to_string(i) + ": ";
         if (of.method == "primitive-map")
-            text += "looked up in a primitive map of " + std::to_string(of.bytes) +
-                    " bytes, built in " + std::to_string(std::lround(of.buildMs)) + " ms";
+            text += "primitive map: " + std::to_string(of.bytes) + " bytes, built in " +
+                    std::to_string(std::lround(of.buildMs)) + " ms";
         else
             text += (of.method == "irregular-z-buffer" ? "irregular z-buffer: "
                      : of.method == "none"             ? "no shadow: "
@@ -38,13 +38,13 @@ std::string mapsOf(const Renderer& renderer, const GpuScene& scene, const FrameV
         text += "\nlight " + std::to_string(i) + ": " + methods[i].why + ", " +
                 std::to_string(methods[i].bytes) + " bytes";
     if (const std::size_t all = renderer.mapBytes(); isFiltered(renderer.settings().map))
-        text += "\nall maps and what filters them: " + std::to_string(all) + " bytes";
+        text += "\nall maps and their filters: " + std::to_string(all) + " bytes";
     return text;
 }
 
 /// Describes how each triangle's volume is counted, from the plan.
 std::string bruteForceOf(const FramePlan& plan) {
-    std::string text = "brute force: every triangle's volume by itself";
+    std::string text = "brute force: one volume for each triangle";
     for (std::size_t s = 0; s < plan.slices.size(); ++s)
         for (std::size_t i = 0; i < plan.slices[s].lights.size(); ++i) {
             const std::vector<CountPlan>& counts = plan.slices[s].lights[i].counts;
@@ -68,8 +68,8 @@ std::string explanationOf(const Renderer& renderer, const GpuScene& scene, const
     case ShadowMethod::map:
         return mapsOf(renderer, scene, view);
     case ShadowMethod::irregularZBuffer:
-        return "irregular z-buffer: no volumes are drawn; the processor asks of each visible point "
-               "whether a caster is between it and the light";
+        return "irregular z-buffer: no volumes are drawn; the processor tests whether a caster "
+               "lies between each visible point and the light";
     case ShadowMethod::planar:
         return "planar: all casters are projected " +
                lightMethods(scene, view, renderer).front().why + ", " +

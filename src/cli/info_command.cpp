@@ -45,7 +45,7 @@ void info(const InfoOptions& options) {
 } // namespace
 
 void addInfoCommand(CLI::App& program) {
-    CLI::App* verb = program.add_subcommand("info", "Say what is inside a scene, packed or not");
+    CLI::App* verb = program.add_subcommand("info", "Print what a scene holds, packed or not");
     const auto options = std::make_shared<InfoOptions>();
     verb->add_option("FILE", options->input, "The scene, .gltf or .glb")->required();
     addCasterOptions(*verb, options->casters);

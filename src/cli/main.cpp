@@ -33,8 +33,8 @@ void requireKnownVerb(const CLI::App& program, int argc, char** argv) {
     for (const CLI::App* verb : program.get_subcommands(nullptr))
         if (verb->get_name() == word) return;
     throw edgeshade::Error(ExitStatus::usage,
-                           (word.empty() ? "A verb is missing" : "'" + word + "' is no verb") +
-                               "; there are " + verbsOf(program) + ".");
+                           (word.empty() ? "A verb is missing" : "'" + word + "' is not a verb") +
+                               "; the verbs are " + verbsOf(program) + ".");
 }
 
 int run(int argc, char** argv) {
@@ -82,8 +82,7 @@ int main(int argc, char** argv) {
     } catch (const std::bad_alloc&) {
         return fail("There is not enough memory for this scene.", ExitStatus::unavailable);
     } catch (const std::exception& error) {
-        return fail(std::string("This is a fault of the program, please report it: ") +
-                        error.what(),
+        return fail(std::string("Internal error, please report it: ") + error.what(),
                     ExitStatus::unavailable);
     }
 }

@@ -12,7 +12,7 @@ double numberFrom(std::string_view text, const std::string& option) {
     const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
     if (result.ec != std::errc() || result.ptr != text.data() + text.size() ||
         !std::isfinite(value))
-        throw CLI::ValidationError(option, "'" + std::string(text) + "' is no finite number");
+        throw CLI::ValidationError(option, "'" + std::string(text) + "' is not a finite number");
     return value;
 }
 

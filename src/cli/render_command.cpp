@@ -103,10 +103,11 @@ std::vector<std::string> warningsOf(const FrameView& view) {
     std::vector<std::string> warnings;
     for (std::size_t i = 0; i < view.lights.size(); ++i)
         if (view.lights[i].layers.mayOverflow)
-            warnings.push_back("Light " + std::to_string(i) + ": up to " +
-                               std::to_string(view.lights[i].layers.most) +
-                               " triangles may lie behind each other, too many to count in groups; "
-                               "what exactly 256 of them shade, or 512, would come out lit.");
+            warnings.push_back(
+                "Light " + std::to_string(i) + ": up to " +
+                std::to_string(view.lights[i].layers.most) +
+                " triangles may lie behind each other, too many to count in groups; "
+                "points in the shadow of exactly 256 or 512 of them would appear lit.");
     return warnings;
 }
 
@@ -139,12 +140,12 @@ void requireFitting(const RenderOptions& options, const std::vector<Light>& ligh
     requireMapKind(options.settings, lights);
     if (options.settings.render.countedPoints() == 0 && !options.settings.extentOptions.empty())
         throw Error(ExitStatus::usage, options.settings.extentOptions.front() +
-                                           " does not go with --soft, which looks up a map "
-                                           "of the light's centre alone.");
+                                           " does not go with --soft, which samples one map "
+                                           "from the light's centre.");
     const bool extended = options.view.lights.extents.typed();
     if ((extended || options.subpixels > 1) && options.debug == DebugPicture::volumes)
-        throw Error(ExitStatus::usage, "--debug volumes shows those of one light without an extent "
-                                       "in one picture, not of many added up.");
+        throw Error(ExitStatus::usage, "--debug volumes shows the volumes of lights without an "
+                                       "extent in one picture, not in a sum of pictures.");
     if (extended && options.samples > 0)
         throw Error(ExitStatus::usage, "--samples does not go with lights that have an extent; "
                                        "--smooth does.");
@@ -255,28 +256,27 @@ void addRenderCommand(CLI::App& program) {
     verb->add_option("OUT", options->output, "The picture, .png")->required();
     verb->add_flag(
         "--mask", options->mask,
-        "The lit mask of the first light: white lit, black in shadow, of a light with an "
-        "extent the share of its points that is seen, clear where nothing is");
+        "The first light's mask: white lit, black in shadow, transparent without geometry; "
+        "for a light with an extent, the visible share of its points");
     verb->add_option("--smooth", options->subpixels,
-                     "Antialiasing by so many pictures, each sampled elsewhere within the pixels, "
-                     "shadows' boundaries included, 1 to " +
+                     "Average this many pictures, sampled at different places within the pixels: "
+                     "antialiases shadows' boundaries too, 1 to " +
                          std::to_string(mostSubpixels) + " (1)")
         ->check(CLI::Range(std::size_t{1}, mostSubpixels))
         ->type_name("N");
     verb->add_flag("--shade-samples", options->shadeSamples,
-                   "Lights with an extent shade by each of their points, not by their centre and "
-                   "how much of them is seen");
+                   "Lights with an extent shade from each of their points, not from their centre "
+                   "by their visible share");
     verb->add_flag("--explain", options->explain,
-                   "Say what of the shadow volumes is drawn, how, and why, and what is left out");
-    addChoice(
-        *verb, "--debug", options->debug,
-        {{"none", DebugPicture::none},
-         {"volumes", DebugPicture::volumes},
-         {"primitive-map", DebugPicture::primitiveMap}},
-        "Tint the picture by what is drawn of the shadow volumes, and say what --explain says: "
-        "sides orange, with caps red, counting twice green; caps blue; or by what primitive maps "
-        "hold: blue where a depth alone says dark, green to red the more triangles are asked "
-        "(none)");
+                   "Print which shadow volumes are drawn, how, and why, and which are left out");
+    addChoice(*verb, "--debug", options->debug,
+              {{"none", DebugPicture::none},
+               {"volumes", DebugPicture::volumes},
+               {"primitive-map", DebugPicture::primitiveMap}},
+              "Tint the picture by the drawn shadow volumes, and print what --explain prints: "
+              "sides orange, with caps red, counting twice green; caps blue; or by primitive maps: "
+              "blue where a depth alone decides shadow, green to red for more triangles to test "
+              "(none)");
     addSceneOptions(*verb, *options);
     addDrawOptions(*verb, options->settings);
     addSamplesOption(*verb, options->samples);

@@ -33,7 +33,7 @@ class Sitting {
         if (each * task_.subpixels > PictureSum::most)
             throw Error(ExitStatus::usage,
                         "--light-samples " + std::to_string(each) + " times --smooth " +
-                            std::to_string(task_.subpixels) + " are more masks than the " +
+                            std::to_string(task_.subpixels) + " make more masks than the " +
                             std::to_string(PictureSum::most) + " that can be added up.");
         LitCounter counter(context_.capabilities());
         counter.begin(first.width, first.height);
@@ -129,14 +129,14 @@ void requireSums(const FrameView& view, const Renderer& renderer,
     for (const FrameLight& of : view.lights)
         lights += std::max<std::size_t>(of.points.size(), 1);
     if (lights > mostShading)
-        throw Error(ExitStatus::usage, "--shade-samples: the picture would be shaded by " +
-                                           std::to_string(lights) + " points, but by " +
-                                           std::to_string(mostShading) +
-                                           " at most; --light-samples says how many.");
+        throw Error(ExitStatus::usage,
+                    "--shade-samples: the lights have " + std::to_string(lights) +
+                        " points, but at most " + std::to_string(mostShading) +
+                        " can shade a picture; --light-samples sets the number.");
     if (!LinearTarget::isPossible(capabilities))
         throw Error(ExitStatus::unavailable,
                     "--shade-samples: this GL can't draw into half floats "
-                    "(GL_EXT_color_buffer_half_float), in which light is added up.");
+                    "(GL_EXT_color_buffer_half_float), which adding up light needs.");
 }
 
 } // namespace

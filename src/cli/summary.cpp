@@ -47,15 +47,15 @@ std::string summaryOf(const PackReport& report) {
             << " -> " << grouped(choice.after.borders) << ", quads " << grouped(choice.before.quads)
             << " -> " << grouped(choice.after.quads) << "\n";
     }
-    row("vertex runs a light") << grouped(json["vertex_runs"]["sides"].get<std::size_t>())
-                               << " sides, "
-                               << grouped(json["vertex_runs"]["caps"].get<std::size_t>())
-                               << " caps, published "
-                               << grouped(json["vertex_runs"]["published"].get<std::size_t>())
-                               << "\n";
+    row("vertex runs per light") << grouped(json["vertex_runs"]["sides"].get<std::size_t>())
+                                 << " sides, "
+                                 << grouped(json["vertex_runs"]["caps"].get<std::size_t>())
+                                 << " caps, published "
+                                 << grouped(json["vertex_runs"]["published"].get<std::size_t>())
+                                 << "\n";
     row("bytes on the GPU") << grouped(json["bytes"]["sides"].get<std::size_t>()) << " sides, "
                             << grouped(json["bytes"]["caps"].get<std::size_t>()) << " caps\n";
-    row("bytes in the file") << grouped(report.storedBytes) << " shadow data of "
+    row("bytes in the file") << grouped(report.storedBytes) << " for shadow data, of "
                              << grouped(report.fileBytes) << "\n";
     row("seconds") << std::fixed << std::setprecision(3) << report.readSeconds << " read, "
                    << report.build.weld << " weld, " << report.build.edges << " edges, "

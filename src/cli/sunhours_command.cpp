@@ -142,7 +142,7 @@ void sunHours(const SunHoursOptions& options) {
     if (positions.empty())
         warnings.add("The sun is never higher than " +
                      CLI::detail::to_string(schedule.minAltitude) +
-                     " degrees in these hours, so there are none of sun.");
+                     " degrees in these hours, so there are no hours of sun.");
     if (const std::string about = options.dateWarning(); !about.empty()) warnings.add(about);
     printWarnings(warnings.sentences());
     if (!options.offset)
@@ -174,7 +174,7 @@ void sunHours(const SunHoursOptions& options) {
     const lab::AlphaLookup alpha = lab::textureAlpha(loaded);
     addSurfaces(loaded, request, alpha, part, bar);
     for (const hours::ProbePoint& probe : options.probes) {
-        bar.show(probesFrom, "asking points");
+        bar.show(probesFrom, "testing points");
         part.probes.push_back(
             {probe, lab::seenFrom(loaded, alpha, probe.point, probe.normal, directions)});
     }
@@ -190,7 +190,7 @@ void sunHours(const SunHoursOptions& options) {
 #else
 
 void sunHours(const SunHoursOptions&) {
-    throw Error(ExitStatus::unavailable, "sunhours needs rays to measure surfaces with, and this "
+    throw Error(ExitStatus::unavailable, "sunhours measures surfaces with rays, but this "
                                          "program was built without Embree.");
 }
 

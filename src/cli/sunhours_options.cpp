@@ -88,17 +88,17 @@ void addDates(CLI::App& verb, SunHoursOptions& options) {
     };
     CLI::Option* const date = addDate("--date", options.date, "The day, e.g. 2026-03-21");
     CLI::Option* const from = addDate("--from", options.from, "The first of several days");
-    CLI::Option* const to = addDate("--to", options.to, "The last of them");
+    CLI::Option* const to = addDate("--to", options.to, "The last day");
     from->needs(to)->excludes(date);
     to->needs(from)->excludes(date);
     addText(verb, "--step", "MIN",
-            "Minutes that each sun position stands for, in their middle; they must divide the "
+            "Minutes that each sun position stands for, as their middle; they must divide the "
             "day's clock hours (10)",
             [&](const std::string& text) {
                 const double step = numberFrom(text, "--step");
                 if (step != std::floor(step) || step < 1.0 || step > 1440.0)
-                    throw CLI::ValidationError("--step",
-                                               "'" + text + "' is no whole number from 1 to 1440");
+                    throw CLI::ValidationError(
+                        "--step", "'" + text + "' is not a whole number from 1 to 1440");
                 options.typed.step = minutes(static_cast<int>(step));
             });
     addText(verb, "--hours", "A-B",
@@ -122,7 +122,7 @@ void addDates(CLI::App& verb, SunHoursOptions& options) {
                 options.offset = readAs("--utc-offset", [&] { return sun::offsetFromText(text); });
             });
     addText(verb, "--min-altitude", "DEG",
-            "The sun counts where it is seen higher than so many degrees, from 0 to 90 (0)",
+            "The sun counts while it appears higher than this, degrees from 0 to 90 (0)",
             [&](const std::string& text) {
                 options.typed.minAltitude = numberFrom(text, "--min-altitude");
                 if (options.typed.minAltitude < 0.0 || options.typed.minAltitude > 90.0)
@@ -134,7 +134,7 @@ void addDates(CLI::App& verb, SunHoursOptions& options) {
 void addThresholds(CLI::App& verb, SunHoursOptions& options) {
     CLI::Option* const threshold = addText(
         verb, "--threshold", "H",
-        "Hours of sun a day: the report says how much of the area has as many",
+        "Hours of sun a day: the report gives the share of the area that has them",
         [&](const std::string& text) {
             options.threshold = numberFrom(text, "--threshold");
             if (*options.threshold < 0.0 || *options.threshold > 24.0)
@@ -142,13 +142,13 @@ void addThresholds(CLI::App& verb, SunHoursOptions& options) {
         });
     addText(verb, "--preset", presetWords(),
             "The threshold of a recommendation, EN 17037's 1.5, 3 or 4 hours or BRE 209's 2 hours "
-            "on half of a garden, and where no date is typed 21 March " +
+            "on half of a garden; and without a typed date, 21 March " +
                 std::to_string(static_cast<int>(hours::presetYear)),
             [&](const std::string& text) {
                 options.preset = hours::findPreset(text);
                 if (!options.preset)
                     throw CLI::ValidationError("--preset",
-                                               "'" + text + "' is none of " + presetWords());
+                                               "'" + text + "' is not one of " + presetWords());
             })
         ->excludes(threshold);
 }
@@ -194,7 +194,8 @@ std::string SunHoursOptions::dateWarning() const {
            (preset->first == preset->last
                 ? text(preset->last)
                 : "a day from " + text(preset->first) + " to " + text(preset->last)) +
-           " (month-day), which " + sun::textOf(first) + " to " + sun::textOf(last) + " is not.";
+           " (month-day), but the dates are " + sun::textOf(first) + " to " + sun::textOf(last) +
+           ".";
 }
 
 nlohmann::ordered_json SunHoursOptions::settingsJson(const hours::Schedule& schedule,
@@ -225,15 +226,15 @@ nlohmann::ordered_json SunHoursOptions::settingsJson(const hours::Schedule& sche
 
 void addSunHoursFileOptions(CLI::App& verb, SunHoursFiles& files) {
     verb.add_option("--counts", files.counts,
-                    "Write how many sun positions see each pixel's surface, 16-bit grey; clear "
-                    "where nothing is")
+                    "Write how many sun positions reach each pixel, 16-bit grey; transparent "
+                    "without geometry")
         ->type_name("OUT.png");
     addReportOption(verb, files.report);
 }
 
 void addSunHoursOptions(CLI::App& verb, SunHoursOptions& options) {
     addPlaceOption(verb, options.place,
-                   "Where it is: degrees north and east, those south and "
+                   "The scene's latitude and longitude, degrees; south and "
                    "west negative")
         ->required();
     addDates(verb, options);
@@ -251,8 +252,8 @@ void addSunHoursOptions(CLI::App& verb, SunHoursOptions& options) {
                 for (const std::string& text : texts)
                     options.probes.push_back(probeFrom(text));
             },
-            "A point whose hours of sun the report lists, with the direction that it faces if "
-            "it faces one; may be repeated")
+            "A point whose hours of sun the report lists, optionally with the direction that "
+            "it faces; may be repeated")
         ->type_name("X,Y,Z[,NX,NY,NZ]")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

@@ -38,7 +38,7 @@ void addTable(std::ostream& text, const bench::SyntheticReport& report,
             edges.insert(row.edges);
         }
     text << fit.layout << ", " << nameOf(fit.silhouette)
-         << " silhouette edges; ms by opposite vertices an edge\n"
+         << " silhouette edges; ms by opposite vertices per edge\n"
          << std::setw(8) << "edges";
     for (const int m : multiplicities)
         text << std::setw(10) << m;
@@ -62,7 +62,7 @@ void addTable(std::ostream& text, const bench::SyntheticReport& report,
 
 std::string syntheticTable(const bench::SyntheticReport& report) {
     std::ostringstream text;
-    text << "Evaluating edges alone, least of several draws, timed by "
+    text << "Evaluating edges only, minimum of several draws, timed by "
          << cli::nameOf(report.timing) << ", " << report.device.renderer << "\n";
     for (const bench::SyntheticFit& fit : report.fits) {
         text << "\n";

@@ -47,8 +47,9 @@ void tradeoff(const TradeoffOptions& options) {
     requirePlottable(options.plot);
     options.view.lights.sun.requireUp();
     if (options.view.lights.extents.typed())
-        throw Error(ExitStatus::usage, "tradeoff is of hard shadows; 'bench' and 'compare' measure "
-                                       "lights with an extent.");
+        throw Error(ExitStatus::usage,
+                    "tradeoff measures hard shadows only; 'bench' and 'compare' measure "
+                    "lights with an extent.");
     const LoadedScene loaded =
         options.load(Shading::full, ShadowMethod::automatic, !options.culls.value_or(false));
     std::vector<std::string> warnings = loaded.scene.warnings.sentences();
@@ -83,14 +84,14 @@ void tradeoff(const TradeoffOptions& options) {
     writeReport(json, options.report);
     if (demanding && !best)
         throw Error(ExitStatus::unavailable,
-                    "No setting keeps within " + limitsOf(options) + " here.");
+                    "No setting stays within " + limitsOf(options) + " here.");
 }
 
 #else
 
 void tradeoff(const TradeoffOptions&) {
     throw Error(ExitStatus::unavailable,
-                "tradeoff needs the ray-traced oracle, and this program was built without Embree.");
+                "tradeoff needs the ray-traced oracle, but this program was built without Embree.");
 }
 
 #endif
@@ -99,40 +100,40 @@ void tradeoff(const TradeoffOptions&) {
 
 void addTradeoffCommand(CLI::App& program) {
     CLI::App* verb = program.add_subcommand(
-        "tradeoff", "What every setting costs and what it gets wrong: a table, a plot, and the one "
+        "tradeoff", "Measure the cost and the errors of every setting: a table, a plot, and the "
                     "setting to take");
     const auto options = std::make_shared<TradeoffOptions>();
     verb->add_option("FILE", options->input, "The scene, .gltf or .glb, packed or not")->required();
     verb->add_option("--plot", options->plot,
-                     "Draw time against wrong pixels, as .svg or .png by its ending")
+                     "Plot draw time against wrong pixels, as .svg or .png")
         ->type_name("OUT");
     verb->add_option("--budget-ms", options->budgetMs,
-                     "Say which setting has the fewest wrong pixels within this time of a frame")
+                     "Name the setting with the fewest wrong pixels within this frame time")
         ->check(finite())
         ->check(CLI::PositiveNumber)
         ->type_name("MS");
     verb->add_option("--max-wrong-percent", options->maxWrongPercent,
-                     "Say which setting is the fastest with no more wrong pixels than this, in "
-                     "percent of visible ones")
+                     "Name the fastest setting with no more wrong pixels than this, in percent of "
+                     "visible pixels")
         ->check(finite())
         ->check(CLI::Range(0.0, 100.0))
         ->type_name("P");
     CLI::Option* frames =
         verb->add_option(
                 "--frames", options->frames,
-                "Frames to time of what is not dominated early, 1 to 100000 (40, as far as "
-                "there is time)")
+                "Frames to time for settings not dominated early, 1 to 100000 (40, as time "
+                "allows)")
             ->check(CLI::Range(1, 100000))
             ->type_name("N");
     CLI::Option* views =
         verb->add_option("--views", options->views,
-                         "Views to count wrong pixels in, likewise, 1 to 1000 (16; with a camera "
-                         "of yours that one alone), those of compare")
+                         "Views to count their wrong pixels in, the views of compare, 1 to 1000 "
+                         "(16; a camera option leaves one)")
             ->check(CLI::Range(1, 1000))
             ->type_name("N");
     verb->add_option("--time-limit", options->timeLimit,
-                     "How long all of it may take, seconds (240). Frames and views that were typed "
-                     "are kept however long they take")
+                     "Time for the whole run, seconds (240). Typed --frames and --views are "
+                     "completed however long they take")
         ->check(finite())
         ->check(CLI::PositiveNumber)
         ->type_name("SECONDS");
@@ -141,14 +142,14 @@ void addTradeoffCommand(CLI::App& program) {
         ->check(CLI::Range(512, 8192))
         ->type_name("N");
     verb->add_option("--against", options->against,
-                     "Another setting to weigh too, e.g. shadows=map,map-size=3000 or "
+                     "Another setting to measure, e.g. shadows=map,map-size=3000 or "
                      "caster-error=0.01; may be repeated")
         ->type_name("SETTING")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     verb->add_flag("--light-moves", options->lightMoves,
-                   "Lights draw small circles while times are taken, so shadow maps are drawn anew "
-                   "for every frame; without, they are kept");
+                   "Move lights in small circles while timing, so that shadow maps are drawn in "
+                   "every frame; otherwise they are kept");
     addTimingOption(*verb, options->timing);
     addSceneOptions(*verb, *options);
     addReportOption(*verb, options->report);

@@ -88,7 +88,7 @@ void writeTradePlot(const TradeoffOptions& options, const std::vector<TradeRow>&
                     const TradeMeasuring& measuring) {
     if (options.plot.empty()) return;
     plot::TradePlot trade;
-    trade.title = "What shadows cost, and what is wrong with them: " +
+    trade.title = "Cost and errors of shadow settings: " +
                   std::filesystem::path(options.input).filename().string();
     trade.subtitle =
         std::to_string(options.view.width) + "x" + std::to_string(options.view.height) +

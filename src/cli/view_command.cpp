@@ -157,15 +157,15 @@ void addViewCommand(CLI::App& program) {
     options->settings.render.shadows = ShadowMethod::automatic;
     verb->add_option("FILE", options->input, "The scene, .gltf or .glb, packed or not");
     verb->add_option("--screenshot", options->screenshot,
-                     "Draw one picture in the window, save it and end")
+                     "Draw one picture in the window, save it and exit")
         ->type_name("OUT.png")
         ->needs(verb->get_option("FILE"));
     addSceneOptions(*verb, *options);
     addDrawOptions(*verb, options->settings);
     addSamplesOption(*verb, options->samples);
     verb->add_option("--smooth", options->smooth,
-                     "At rest the picture is the mean of so many, sampled within its pixels; 1: it "
-                     "is not smoothed (1)")
+                     "At rest, average this many pictures, sampled within the pixels; 1: no "
+                     "smoothing (1)")
         ->type_name("N")
         ->check(CLI::Range(std::size_t{1}, mostSubpixels));
     CLI::Option* const sunHours =
@@ -188,7 +188,7 @@ void addViewCommand(CLI::App& program) {
     verb->prefix_command();
     verb->callback([] {
         throw Error(ExitStatus::unavailable,
-                    "This edgeshade was built without GLFW, so it has no 'view'.");
+                    "This program was built without GLFW, so it has no 'view'.");
     });
 }
 #endif

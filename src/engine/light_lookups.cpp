@@ -26,8 +26,8 @@ LightLookup toldOf(const BuiltLookup& built, const gl::FloatTable& table) {
 } // namespace
 
 std::string LightLookups::obstacle(const Light& light) const {
-    if (!gl::hasWideTables(capabilities_)) return "the GL looks up no floats";
-    if (light.extent) return "a light with an extent is drawn by masks";
+    if (!gl::hasWideTables(capabilities_)) return "the GL can't sample float textures exactly";
+    if (light.extent) return "a light with an extent needs masks";
     return {};
 }
 
@@ -44,7 +44,7 @@ LightLookups::Id LightLookups::add(const LookupWork& work) {
             kept.told.uploaded = kept.texels.empty(); // without texels here, whoever holds them
                                                       // uploads them
         } catch (const Error&) {
-            kept.told.why = "the GL has no room for a table of " +
+            kept.told.why = "the GL has no memory for a table of " +
                             std::to_string(data.built.map.count) + " texels";
         }
     }

@@ -53,7 +53,7 @@ std::string lookupSource(const std::string& prefix) {
     if (prefix.empty() || !std::all_of(prefix.begin(), prefix.end(), isWordCharacter) ||
         std::isdigit(static_cast<unsigned char>(prefix[0])) || prefix.back() == '_' ||
         prefix.find("__") != std::string::npos || prefix.starts_with("gl_"))
-        throw InputError("'" + prefix + "' is no prefix of names in GLSL.");
+        throw InputError("'" + prefix + "' is not a valid prefix for names in GLSL.");
     const std::string source = withoutComments(shaders::lookup_glsl);
     std::string text;
     for (std::size_t i = 0; i < source.size();) {

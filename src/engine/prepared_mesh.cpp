@@ -26,7 +26,7 @@ std::vector<glm::vec2> texcoordsOf(const MaskMesh& mesh, std::size_t vertices) {
     if (given.size() != 2 * vertices)
         throw InputError("A mesh of " + std::to_string(vertices) + " vertices has " +
                          std::to_string(given.size()) +
-                         " numbers of texture coordinates, not two a vertex.");
+                         " texture coordinate numbers, not two per vertex.");
     for (std::size_t i = 0; i < vertices; ++i) {
         texcoords[i] = {given[2 * i], given[2 * i + 1]};
         if (!std::isfinite(texcoords[i].x) || !std::isfinite(texcoords[i].y))

@@ -215,7 +215,7 @@ void ShadowMasks::draw(const MaskView& view, std::span<const MaskLight> lights) 
     const std::vector<Light> planned = lightsOf(lights);
     if (planned.size() > mostLights)
         throw InputError(std::to_string(planned.size()) + " lights are more than the " +
-                         std::to_string(mostLights) + " that have masks.");
+                         std::to_string(mostLights) + " that can have masks.");
     if (view.width < 1 || view.height < 1)
         throw InputError("A picture of " + std::to_string(view.width) + "x" +
                          std::to_string(view.height) + " pixels can't be drawn.");
@@ -255,7 +255,7 @@ LookupWork ShadowMasks::lookupWork(const MaskLight& light, const LookupSettings&
     if (settings.size < 4 || !std::has_single_bit(static_cast<unsigned>(settings.size)))
         throw InputError(
             "A map of " + std::to_string(settings.size) +
-            " texels along its edge can't be made: that is no power of 2, or below 4.");
+            " texels along its edge can't be made: the size must be a power of 2, at least 4.");
     LookupTask task{lightsOf({&light, 1}).front(), settings, drawing.casters.casters(), {}};
     task.why = drawing.lookups.obstacle(task.light);
     return workOn(std::move(task), drawing.casters.casterState());

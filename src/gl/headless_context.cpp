@@ -117,7 +117,7 @@ HeadlessContext::HeadlessContext(const Request& request)
     }
     if (!anyDisplay) unavailable("No EGL display can be opened here, so nothing can be drawn.");
     if (!config)
-        unavailable("EGL has no picture with 8-bit colour, depth and an 8-bit stencil here.");
+        unavailable("EGL offers no pbuffer with 8-bit colour, depth and an 8-bit stencil here.");
     const int widest = configValue(display_, config, EGL_MAX_PBUFFER_WIDTH);
     const int highest = configValue(display_, config, EGL_MAX_PBUFFER_HEIGHT);
     if (width_ > widest || height_ > highest) {

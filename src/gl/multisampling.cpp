@@ -16,7 +16,7 @@ constexpr GLenum largestSamples = 0x8D57;
 
 [[noreturn]] void unavailable(int samples) {
     throw Error(ExitStatus::unavailable,
-                "This GL can't draw with " + std::to_string(samples) + " samples a pixel.");
+                "This GL can't draw with " + std::to_string(samples) + " samples per pixel.");
 }
 
 } // namespace
@@ -81,7 +81,7 @@ MultisampledFramebuffer::MultisampledFramebuffer(int width, int height, int samp
     buffers_ = SampledBuffers(multisampling_, samples, GL_RGBA8_OES, width, height);
     const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
     if (const GLenum error = glGetError(); error == GL_OUT_OF_MEMORY || error == contextLost)
-        requireNoError(error, "making a framebuffer with several samples a pixel");
+        requireNoError(error, "making a framebuffer with several samples per pixel");
     else if (error != GL_NO_ERROR || status != GL_FRAMEBUFFER_COMPLETE)
         unavailable(samples);
 }

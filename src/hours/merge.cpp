@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
                                 const std::string& field, const std::string& value,
                                 const std::string& firstValue) {
     throw InputError("'" + part.path + "': " + field + " is " + value + ", but in '" + first.path +
-                     "' it is " + firstValue + "; these are no parts of one run.");
+                     "' it is " + firstValue + "; these are not parts of one run.");
 }
 
 void requireSame(const PartOfFile& part, const PartOfFile& first, const std::string& field,
@@ -76,7 +76,7 @@ std::vector<const PartOfFile*> inOrder(const std::vector<PartOfFile>& parts) {
         const PartOfFile*& place = byNumber[part.part.number - 1];
         if (place)
             throw InputError("'" + part.path + "': part is " + std::to_string(part.part.number) +
-                             ", which '" + place->path + "' is already.");
+                             ", but '" + place->path + "' already has that number.");
         place = &part;
     }
     const auto missing = std::ranges::find(byNumber, nullptr);
@@ -109,7 +109,7 @@ Part merged(const std::vector<PartOfFile>& parts) {
         const Position& position = from.part.positions[index];
         if (!whole.positions.empty() && position.time <= whole.positions.back().time)
             throw InputError("'" + from.path + "': positions[" + std::to_string(index) +
-                             "].time is not after that of the position before it in the run.");
+                             "].time is not later than the position before it in the run.");
         whole.positions.push_back(position);
         for (std::size_t p = 0; p < whole.probes.size(); ++p)
             whole.probes[p].lit.push_back(from.part.probes[p].lit[index]);

@@ -46,8 +46,8 @@ std::vector<T> unpacked(const JsonField& field, const std::filesystem::path& pat
     const Bytes stream = dataOfUri(field.text(), "'" + path.string() + "': " + field.name());
     const std::optional<Bytes> bytes = inflated(stream, sizeof(T) * count);
     if (!bytes)
-        field.fail(" is no zlib stream of the " + std::to_string(sizeof(T) * count) +
-                   " bytes that the size asks for");
+        field.fail(" is not a zlib stream of the " + std::to_string(sizeof(T) * count) +
+                   " bytes that the size requires");
     using Bits = decltype(bitsOf(T()));
     std::vector<T> pixels(count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -85,7 +85,7 @@ std::map<std::uint32_t, std::string> namesOf(const JsonField& field) {
         const JsonField index = item.member("index");
         const auto value = static_cast<std::uint32_t>(index.wholeNumber(Exposure::none));
         if (!names.emplace(value, item.member("name").text()).second)
-            index.fail(" is " + std::to_string(value) + ", which is there twice");
+            index.fail(" is " + std::to_string(value) + ", which occurs twice");
     });
     return names;
 }
@@ -95,12 +95,12 @@ Position positionOf(const JsonField& field, std::chrono::minutes offset) {
     const JsonField time = field.member("time");
     try {
         const sun::LocalTime read = sun::localTimeFromText(time.text());
-        if (read.offset != offset) time.fail(" has another offset from UTC than the settings");
+        if (read.offset != offset) time.fail(" has a different offset from UTC than the settings");
         position.time = read.instant;
     } catch (const InputError&) {
         throw;
     } catch (const Error& error) {
-        time.fail(std::string(" is wrong: ") + error.what());
+        time.fail(std::string(" is invalid: ") + error.what());
     }
     position.azimuth = field.member("azimuth").number();
     position.altitude = field.member("altitude").number();
@@ -117,7 +117,7 @@ Probe probeOf(const JsonField& field, std::size_t positions) {
     const JsonField lit = field.member("lit");
     const std::string bits = lit.text();
     if (bits.size() != positions || bits.find_first_not_of("01") != std::string::npos)
-        lit.fail(" is no text of " + std::to_string(positions) +
+        lit.fail(" is not " + std::to_string(positions) +
                  " zeros and ones, one for each of the part's positions");
     for (const char bit : bits)
         probe.lit.push_back(bit == '1');
@@ -135,7 +135,7 @@ void requireNamed(const JsonField& field, const std::vector<std::uint32_t>& pixe
 Exposure exposureOf(const JsonField& root, const std::filesystem::path& path, const Part& part) {
     const JsonField size = root.member("size");
     size.requireArray();
-    if (size.size() != 2) size.fail(" is no pair of numbers");
+    if (size.size() != 2) size.fail(" is not a pair of numbers");
     const std::uint64_t width = size.item(0).wholeNumber(longestSide),
                         height = size.item(1).wholeNumber(longestSide);
     if (width == 0 || height == 0 || width * height > mostPixels)
@@ -267,7 +267,7 @@ Part partFrom(const std::filesystem::path& path) {
         json = Json::parse(bytes.begin(), bytes.end());
     } catch (const nlohmann::json::exception& error) {
         throw InputError("'" + path.string() +
-                         "' is no part of sun hours: " + clauseOf(error.what()) + ".");
+                         "' is not a part of a sunhours run: " + clauseOf(error.what()) + ".");
     }
     return partOf(json, path);
 }

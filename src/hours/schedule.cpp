@@ -28,7 +28,7 @@ void require(const Schedule& schedule) {
     if (schedule.days() * static_cast<std::size_t>(length / schedule.step) > mostIntervals)
         throw Error(ExitStatus::usage,
                     "--step: " + std::to_string(schedule.days()) + " days by steps of " +
-                        std::to_string(schedule.step.count()) + " minutes are far more than the " +
+                        std::to_string(schedule.step.count()) + " minutes far exceed the " +
                         std::to_string(mostPositions) +
                         " sun positions of one run; take a longer --step, or fewer days.");
 }

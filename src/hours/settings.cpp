@@ -14,7 +14,7 @@ std::chrono::sys_days dateOf(const JsonField& field) {
     } catch (const InputError&) {
         throw;
     } catch (const Error& error) {
-        field.fail(std::string(" is wrong: ") + error.what());
+        field.fail(std::string(" is invalid: ") + error.what());
     }
 }
 
@@ -24,7 +24,7 @@ std::chrono::minutes offsetOf(const JsonField& field) {
     } catch (const InputError&) {
         throw;
     } catch (const Error& error) {
-        field.fail(std::string(" is wrong: ") + error.what());
+        field.fail(std::string(" is invalid: ") + error.what());
     }
 }
 
@@ -55,7 +55,7 @@ HoursSettings hoursSettings(const JsonField& settings) {
     settings.ifPresent("preset", [&](const JsonField& field) {
         if (field.value().is_null()) return;
         read.preset = findPreset(field.text());
-        if (!read.preset) field.fail(" is '" + field.text() + "', which is no preset");
+        if (!read.preset) field.fail(" is '" + field.text() + "', which is not a preset");
     });
     return read;
 }

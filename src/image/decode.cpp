@@ -38,7 +38,7 @@ Image decodeByStb(std::span<const std::uint8_t> bytes, const std::string& name,
         throw InputError(said + "; at most " + std::to_string(largest) + " a side are read.");
     const std::uint64_t pixelCount = std::uint64_t(width) * static_cast<std::uint64_t>(height);
     if (pixelCount / mostPixelsPerByte > bytes.size())
-        throw InputError(said + ", which can't come from " + std::to_string(bytes.size()) +
+        throw InputError(said + ", which is too many for " + std::to_string(bytes.size()) +
                          " bytes.");
     countPixels(width, height, name, memory);
     // Twice the file's bytes, twice 16 bits a channel, and a margin for small images.
@@ -48,9 +48,9 @@ Image decodeByStb(std::span<const std::uint8_t> bytes, const std::string& name,
         stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4), stbi_image_free);
     if (!pixels) {
         const std::string reason = clauseOf(stbi_failure_reason());
-        throw InputError(name + " can't be decoded: " +
-                         (reason == "outofmem" ? "its data are larger than its pixels" : reason) +
-                         ".");
+        throw InputError(
+            name + " can't be decoded: " +
+            (reason == "outofmem" ? "its data expand to more than its pixels" : reason) + ".");
     }
     const std::size_t count = std::size_t{4} * static_cast<std::size_t>(pixelCount);
     return {width, height, std::vector<std::uint8_t>(pixels.get(), pixels.get() + count)};
@@ -67,7 +67,7 @@ Image decodeImage(std::span<const std::uint8_t> bytes, const std::string& name,
     if (type == "image/webp") return decodeWebp(bytes, name, memory);
     if (type == "image/ktx2")
         throw InputError(name + " is KTX2, which is not read; 'gltf-transform ktxdecompress IN.glb "
-                                "OUT.glb' makes PNG of it.");
+                                "OUT.glb' converts it to PNG.");
     return decodeByStb(bytes, name, memory);
 }
 

@@ -54,7 +54,7 @@ std::string RadianceFile::readLine() {
 void RadianceFile::readHeader() {
     const std::string_view text(reinterpret_cast<const char*>(rest_.data()), rest_.size());
     if (!text.starts_with("#?RADIANCE") && !text.starts_with("#?RGBE"))
-        refuse("is no Radiance picture (.hdr), which begins with #?RADIANCE");
+        refuse("is not a Radiance picture (.hdr), which begins with #?RADIANCE");
     bool isRgbe = false;
     for (std::string line = readLine(); !line.empty(); line = readLine()) {
         if (line.starts_with("FORMAT=") && line != "FORMAT=32-bit_rle_rgbe")

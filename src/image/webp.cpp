@@ -39,7 +39,7 @@ Image decodeWebp(std::span<const std::uint8_t> bytes, const std::string& name,
 #else
 
 Image decodeWebp(std::span<const std::uint8_t>, const std::string& name, MemoryBudget&) {
-    throw InputError(name + " is WebP, and this program was built without libwebp.");
+    throw InputError(name + " is WebP, but this program was built without libwebp.");
 }
 
 #endif

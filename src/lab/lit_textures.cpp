@@ -38,7 +38,7 @@ LitTextures::LitTextures(const std::vector<Answer>& answers, std::size_t lights,
         textures_.push_back(uploaded(pixels, width, height));
         lookups_.push_back({textures_.back().name(), size});
     }
-    gl::requireNoError("uploading what the oracle says");
+    gl::requireNoError("uploading the oracle's answers");
 }
 
 } // namespace edgeshade::lab

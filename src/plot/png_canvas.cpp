@@ -148,7 +148,7 @@ std::unique_ptr<Canvas> pngCanvas(int width, int height) {
 #else
 
 std::unique_ptr<Canvas> pngCanvas(int, int) {
-    throw Error(ExitStatus::unavailable, "This edgeshade was built without cairo, so it writes "
+    throw Error(ExitStatus::unavailable, "This program was built without cairo, so it writes "
                                          "plots as .svg and not as .png.");
 }
 

@@ -89,7 +89,7 @@ void drawGrid(Canvas& canvas, const Axes& axes, const std::string& timeLabel) {
                 ink, 1.2, false);
     canvas.text({0.5 * (frame.left + frame.right), frame.bottom + 46.0}, timeLabel,
                 {13.0, ink, Anchor::middle});
-    canvas.text({24.0, 0.5 * (frame.top + frame.bottom)}, "wrong pixels, percent of visible ones",
+    canvas.text({24.0, 0.5 * (frame.top + frame.bottom)}, "wrong pixels, percent of visible pixels",
                 {13.0, ink, Anchor::middle, false, true});
 }
 
@@ -109,8 +109,8 @@ void drawLegend(Canvas& canvas, const TradePlot& plot) {
         entry(plot.families[family], style.shape, style.color, style.color);
     }
     y += 12.0;
-    entry("filled: nothing beats it", Shape::disc, grey, grey);
-    entry("hollow: something does", Shape::disc, 0xFFFFFF, grey);
+    entry("filled: on the Pareto front", Shape::disc, grey, grey);
+    entry("hollow: dominated", Shape::disc, 0xFFFFFF, grey);
 }
 
 } // namespace

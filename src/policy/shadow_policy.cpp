@@ -46,20 +46,20 @@ constexpr std::array rules{
     Rule{"light without a shadow", [](const Facts& of) { return !of.light.isShadowed; },
          Technique::none,
          [](const Facts&) -> std::string_view {
-             return "others are estimated to add more to the picture";
+             return "other lights are estimated to add more to the picture";
          }},
     Rule{"light out of sight", [](const Facts& of) { return !of.light.isDrawn; }, Technique::none,
-         [](const Facts&) -> std::string_view { return "it reaches nothing that is visible"; }},
-    Rule{"no shadows asked for", [](const Facts& of) { return asks(of, ShadowMethod::none); },
+         [](const Facts&) -> std::string_view { return "it reaches no visible geometry"; }},
+    Rule{"no shadows requested", [](const Facts& of) { return asks(of, ShadowMethod::none); },
          Technique::none, asked},
-    Rule{"shadow map asked for", [](const Facts& of) { return asks(of, ShadowMethod::map); },
+    Rule{"shadow map requested", [](const Facts& of) { return asks(of, ShadowMethod::map); },
          Technique::map, asked},
-    Rule{"planar shadows asked for", [](const Facts& of) { return asks(of, ShadowMethod::planar); },
+    Rule{"planar shadows requested", [](const Facts& of) { return asks(of, ShadowMethod::planar); },
          Technique::planar, asked},
-    Rule{"points asked for",
+    Rule{"points requested",
          [](const Facts& of) { return asks(of, ShadowMethod::irregularZBuffer); },
          Technique::points, asked},
-    Rule{"volumes asked for", [](const Facts& of) { return asks(of, ShadowMethod::volumes); },
+    Rule{"volumes requested", [](const Facts& of) { return asks(of, ShadowMethod::volumes); },
          Technique::volumes, asked},
     Rule{"lookup is built", [](const Facts& of) { return of.lookup.isUsable; }, Technique::lookup,
          [](const Facts& of) { return of.lookup.reason; }},
@@ -95,11 +95,12 @@ constexpr int unitsForCutouts = 6;
 constexpr int uniformsForExtent = 64; ///< vectors; a light's points take 17
 
 constexpr std::array obstacles{
-    Obstacle{[](const Facts& of) { return !of.device.floatTables; }, "the GL looks up no floats"},
+    Obstacle{[](const Facts& of) { return !of.device.floatTables; },
+             "the GL can't sample float textures exactly"},
     Obstacle{[](const Facts& of) {
                  return of.scene.cutoutsCast && of.device.textureUnits < unitsForCutouts;
              },
-             "the GL has too few textures for cutouts"},
+             "the GL has too few texture units for cutouts"},
     Obstacle{[](const Facts& of) { return of.scene.simplified; }, "casters are simplified"},
     Obstacle{[](const Facts& of) { return of.scene.allAnimated; }, "all casters are animated"},
     Obstacle{[](const Facts& of) { return of.scene.alphaTested; }, "some casters are alpha-tested"},
@@ -108,14 +109,14 @@ constexpr std::array obstacles{
 /// Further obstacles for a light with an extent, since one lookup holds the whole light.
 constexpr std::array obstaclesOfExtents{
     Obstacle{[](const Facts& of) { return of.device.fragmentUniformVectors < uniformsForExtent; },
-             "the GL has too few uniforms for a light's places"},
+             "the GL has too few uniforms for a light's points"},
     Obstacle{[](const Facts& of) { return of.light.hasRange; },
-             "a light with an extent has a range"},
-    Obstacle{[](const Facts& of) { return of.light.isSpot; }, "a light with an extent is a spot"},
+             "it has both an extent and a range"},
+    Obstacle{[](const Facts& of) { return of.light.isSpot; }, "it is a spot with an extent"},
     Obstacle{[](const Facts& of) { return of.scene.cutoutsCast; },
-             "a light with an extent shines on cutouts"},
+             "it has an extent, and cutouts cast shadows"},
     Obstacle{[](const Facts& of) { return of.scene.anyAnimated; },
-             "a light with an extent shines on what moves"},
+             "it has an extent, and casters are animated"},
 };
 
 template <std::size_t N>
@@ -192,7 +193,7 @@ std::string ShadowPolicy::lookupObstacle(const LightFacts& light) const {
 }
 
 std::string ShadowPolicy::roomObstacle(std::size_t room) const {
-    return room < leastLookupBytes ? "other lights' primitive maps leave no room" : "";
+    return room < leastLookupBytes ? "other lights' primitive maps leave no memory for it" : "";
 }
 
 std::string ShadowPolicy::lookupRefusal(const LookupOutcome& built) const {

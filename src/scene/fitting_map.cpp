@@ -79,11 +79,11 @@ void FittingMap::buildAllParts() {
 std::string refusalOf(const MapOutcome& outcome) {
     if (outcome.tooFar) return "the light is too far from its casters for a primitive map";
     if (outcome.tooLong > 0)
-        return "a list of its primitive map would have " + std::to_string(outcome.tooLong) +
-               " triangles, more than a shader's loops go through";
+        return "a list in its primitive map would have " + std::to_string(outcome.tooLong) +
+               " triangles, more than a shader loop can test";
     if (!outcome.built)
         return "a primitive map would take more than " + std::to_string(outcome.mostBytes) +
-               " bytes, or minutes";
+               " bytes, or minutes to build";
     return {};
 }
 

@@ -43,8 +43,8 @@ LoadedScene readScene(const std::filesystem::path& path,
     loaded.scene.culls = cullsByDefault;
     if (const std::size_t lights = loaded.scene.lights.size(); lights > mostLights)
         loaded.scene.warnings.add("'" + path.string() + "' has " + std::to_string(lights) +
-                                  " lights, but a picture has " + std::to_string(mostLights) +
-                                  " at most; the others are left out.");
+                                  " lights, but a picture has at most " +
+                                  std::to_string(mostLights) + "; the others are left out.");
     return loaded;
 }
 
@@ -59,7 +59,7 @@ void addShadows(LoadedScene& loaded) {
         simplifyCasters(loaded.scene, loaded.settings.casterError);
         if (header && !fits)
             loaded.scene.warnings.add("The file was packed with other caster settings; its shadow "
-                                      "data are made anew.");
+                                      "data are rebuilt.");
     }
     loaded.planePairs =
         buildPlanePairs(loaded.scene, loaded.settings.castMasked, loaded.settings.flatTolerance);

@@ -49,8 +49,8 @@ std::optional<std::vector<Placed>> placeAt(LoadedScene& loaded, double seconds,
         index = found->index;
     } else if (titles.size() > 1) {
         loaded.scene.warnings.add("The file has " + std::to_string(titles.size()) +
-                                  " animations; this is the first, '" + titles.front().name +
-                                  "'. --animation takes another.");
+                                  " animations; the first, '" + titles.front().name +
+                                  "', is shown, and --animation chooses another.");
     }
     const auto read = readAnimation(*loaded.document, loaded.scene.warnings, index);
     if (!read) return std::nullopt;

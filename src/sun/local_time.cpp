@@ -20,7 +20,8 @@ class FieldReader {
         : text_(text), rest_(text), thing_(thing), form_(form) {}
 
     [[noreturn]] void fail(const std::string& why) const {
-        throw Error(ExitStatus::usage, "'" + std::string(text_) + "' is no " + thing_ + ": " + why);
+        throw Error(ExitStatus::usage,
+                    "'" + std::string(text_) + "' is not a valid " + thing_ + ": " + why);
     }
 
     [[noreturn]] void failForm() const { fail(std::string("it is not of the form ") + form_); }

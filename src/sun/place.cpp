@@ -11,8 +11,8 @@ namespace {
 void requireWithin(double value, double limit, const char* name) {
     if (std::abs(value) <= limit) return;
     std::ostringstream sentence;
-    sentence << value << " is no " << name << ": it is not between -" << limit << " and " << limit
-             << " degrees";
+    sentence << value << " is not a valid " << name << ": it is not between -" << limit << " and "
+             << limit << " degrees";
     throw Error(ExitStatus::usage, sentence.str());
 }
 

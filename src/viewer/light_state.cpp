@@ -90,7 +90,7 @@ bool readExtent(const std::string& key, const Field& value, std::optional<LightE
         return false;
     }
     if (extent && extent->shape != read.shape)
-        value.fail("for the same shape as the light's other fields");
+        value.fail("a field of the same shape as the light's other fields");
     extent = read;
     return true;
 }

@@ -96,7 +96,7 @@ std::vector<BadInput> badAnimations() {
                       [](Json& animation) { animation["samplers"] = Json::object(); },
                       {"animations[0].samplers", "an array", "the animation is left out"}),
         withKeyframes("TimesBelow0", {-1.0f, 1.0f}, {"-1 seconds", "played from 0 on"}),
-        withKeyframes("TimesAlike", {1.0f, 1.0f}, {"1 at element 1 after 1", "a step"}),
+        withKeyframes("TimesAlike", {1.0f, 1.0f}, {"1 at element 1 after 1", "jumps"}),
         withKeyframes("TimesThatGoBack", {1.0f, 0.5f},
                       {"0.5 at element 1 after 1", "the channel is left out"}),
         inInfo(warned(badScene("AMatrixIsMoved",

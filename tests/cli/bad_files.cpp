@@ -91,7 +91,7 @@ std::vector<BadInput> badFiles() {
              ::mkfifo((folder / "pipe.bin").c_str(), S_IRUSR | S_IWUSR);
              return folder.write("bad.gltf", std::string_view(soundScene().gltf("pipe.bin")));
          },
-         {"buffers[0].uri", "pipe.bin", "no regular file"}},
+         {"buffers[0].uri", "pipe.bin", "not a regular file"}},
         withUri("UriOfTheFolder", ".", {}),
         withUri("MissingBinaryFile", "gone.bin", {"gone.bin"}),
         withUri("BadBase64", "data:application/octet-stream;base64,@@@@====@@@@", {"buffers[0]"}),

@@ -38,7 +38,7 @@ std::vector<BadInput> badImages() {
          {"--max-memory", "2M"}},
         {"ImageBeyondTheLimitOfFiles",
          withLargeImage,
-         {"images[0].uri", "large.png", "limit of a file is 3000"},
+         {"images[0].uri", "large.png", "limit for a file is 3000"},
          {"info", "pack", "render"},
          {"--max-file", "3000"}},
     };

@@ -31,13 +31,13 @@ std::vector<BadInput> badJson() {
     return {
         badText("Text", "This is not a scene.", {"is neither GLB nor JSON."}),
         badText("JsonCutOff", R"({"asset":{"version":"2.0")",
-                {"holds JSON", "at byte 26", "ends too early"}),
+                {"invalid JSON", "at byte 26", "ends too early"}),
         badText("JsonWithMoreBehind", R"({"asset":{"version":"2.0"}} more)",
-                {"holds JSON", "at byte 29", "not allow"}),
-        badText("JsonWithAMarkOfUtf8", "\xEF\xBB\xBF{\"asset\":7,}", {"holds JSON", "at byte"}),
+                {"invalid JSON", "at byte 29", "not allowed"}),
+        badText("JsonWithAMarkOfUtf8", "\xEF\xBB\xBF{\"asset\":7,}", {"invalid JSON", "at byte"}),
         badBytes("JsonChunkOfText", [] { return joinGlb("scene", {}); },
-                 {"holds JSON", "at byte 1,"}),
-        warned(badText("JsonInLatin1", inLatin1(), {"no UTF-8", "at byte", "U+FFFD"})),
+                 {"invalid JSON", "at byte 1:"}),
+        warned(badText("JsonInLatin1", inLatin1(), {"not UTF-8", "at byte", "U+FFFD"})),
         badText("FileNamedInLatin1",
                 "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":1,"
                 "\"uri\":\"caf\xE9.bin\"}]}",

@@ -32,7 +32,7 @@ std::string withMembers(int count) {
 
 std::vector<BadInput> badLimits() {
     return {
-        limited("FileTooLarge", {"--max-file", "100"}, asItIs, {"limit of a file is 100"}),
+        limited("FileTooLarge", {"--max-file", "100"}, asItIs, {"limit for a file is 100"}),
         limited("TooMuchMemory", {"--max-memory", "2K"}, asItIs, {"bytes of memory", "2048"}),
         limited("TooManyTriangles", {"--max-triangles", "11"}, asItIs,
                 {"nodes[0]", "12 triangles", "11"}),

@@ -44,7 +44,7 @@ BadUsage tooManyLights(const std::string& name, std::vector<std::string> verb) {
     for (int i = 0; i < 1000; ++i)
         verb.insert(verb.end(), {"--light", "1,2,3"});
     verb.insert(verb.end(), {"--sun", "0,1,0"});
-    return {name, verb, {"More than 1000 lights were asked for"}};
+    return {name, verb, {"More than 1000 lights were requested"}};
 }
 
 const BadUsage usages[] = {

@@ -110,7 +110,7 @@ TEST_F(Deforming, AnAnimationThatThereIsNotIsWarnedOf) {
     EXPECT_NE(result.err.find("no animation 'swim'; it has 0 'walk', 1 'wave', 2 'jump'"),
               std::string::npos)
         << result.err;
-    EXPECT_NE(run("render", figure_, {"--time", "1"}).err.find("this is the first, 'walk'"),
+    EXPECT_NE(run("render", figure_, {"--time", "1"}).err.find("the first, 'walk', is shown"),
               std::string::npos);
     ASSERT_EQ(runEdgeshade({"info", figure_, "--report", folder_ / "report.json"}).status, 0);
     EXPECT_EQ(report()["animations"], Json::parse(R"([{"index": 0, "name": "walk"},

@@ -275,7 +275,7 @@ TEST(Rendering, ReportsSayHowEachLightsShadowsAreMade) {
     EXPECT_NE(lights[0]["why"].get<std::string>().find("four moments"), std::string::npos);
     lights = lightsOf({"--shadows", "primitive-map", "--gl-limits", "es2-minimum"});
     EXPECT_EQ(lights[0]["method"], "volumes");
-    EXPECT_EQ(lights[0]["why"], "the GL looks up no floats");
+    EXPECT_EQ(lights[0]["why"], "the GL can't sample float textures exactly");
     EXPECT_EQ(lightsOf({"--shadows", "primitive-map", "--cast-masked"})[0]["why"],
               "some casters are alpha-tested");
     EXPECT_EQ(lightsOf({"--shadows", "primitive-map", "--caster-error", "0.05"})[0]["why"],
@@ -291,8 +291,8 @@ TEST(Rendering, WarnsOfLightsThatGetNoPrimitiveMapWhereOneWasAskedFor) {
             .err;
     };
     EXPECT_NE(told("primitive-map")
-                  .find("warning: Light 0: --shadows primitive-map is not for it: the GL looks up "
-                        "no floats. Its shadows are those of volumes."),
+                  .find("warning: Light 0: --shadows primitive-map is not for it: the GL can't "
+                        "sample float textures exactly. Its shadows are those of volumes."),
               std::string::npos);
     EXPECT_EQ(told("auto").find("warning"), std::string::npos);
     EXPECT_EQ(told("volumes").find("warning"), std::string::npos);
@@ -308,8 +308,8 @@ TEST(Rendering, ComparingWarnsOnceOfLightsThatGetNoPrimitiveMap) {
         arguments.insert(arguments.end(), light.begin(), light.end());
         const ProcessResult result = runEdgeshade(arguments);
         ASSERT_EQ(result.status, 0) << result.err;
-        const std::string sentence = "--shadows primitive-map is not for it: the GL looks up no "
-                                     "floats. Its shadows are those of volumes.";
+        const std::string sentence = "--shadows primitive-map is not for it: the GL can't sample "
+                                     "float textures exactly. Its shadows are those of volumes.";
         const std::size_t first = result.err.find(sentence);
         EXPECT_NE(first, std::string::npos) << result.err;
         EXPECT_EQ(result.err.find(sentence, first + 1), std::string::npos);
@@ -349,11 +349,11 @@ TEST(Rendering, ExplainsWhatIsDrawnAndWhy) {
     };
     const std::string words = explained({"--light", "2,3,2"});
     for (const char* part : {"light 0, at 2,3,2: ", "those that can be silhouettes", "z-pass",
-                             "the count starts at ", "batch 0: "})
+                             "the stencil count starts at ", "batch 0: "})
         EXPECT_NE(words.find(part), std::string::npos) << part << " is not in\n" << words;
     EXPECT_NE(explained({"--silhouette", "all"}).find("all "), std::string::npos);
     EXPECT_NE(
-        explained({"--light", "2,3,2", "--light-range", "0.5"}).find("out of the light's range"),
+        explained({"--light", "2,3,2", "--light-range", "0.5"}).find("beyond the light's range"),
         std::string::npos);
     EXPECT_NE(explained({"--shadows", "map"}).find("shadow maps"), std::string::npos);
     const std::string maps =

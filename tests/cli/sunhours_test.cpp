@@ -303,10 +303,10 @@ TEST_F(SunHours, PartsBecomeTheWholeByteForByte) {
     };
     Words mixed = parts;
     mixed[0] = other / "part3";
-    refuses(mixed, "no parts of one run");
+    refuses(mixed, "not parts of one run");
     refuses(Words(parts.begin() + 1, parts.end()), "part 3 is missing");
     refuses(parts + Words{parts[1]}, "already");
-    refuses({folder_ / "out.png"}, "no part of sun hours");
+    refuses({folder_ / "out.png"}, "not a part of a sunhours run");
     refuses({folder_ / "nothing"}, "nothing");
 }
 
@@ -320,7 +320,7 @@ TEST_F(SunHours, BadUsageIsOneSentence) {
         {{"--place", "48,11"}, "--date"},
         {{"--place", "91,11", "--date", "2026-03-21"}, "91"},
         {{"--place", "48,11", "--date", "2026-02-29"}, "no day 29"},
-        {{"--place", "48,11", "--date", "yesterday"}, "is no date"},
+        {{"--place", "48,11", "--date", "yesterday"}, "is not a valid date"},
         {{"--place", "48,11", "--from", "2026-03-21"}, "--to"},
         {{"--place", "48,11", "--from", "2026-03-21", "--to", "2026-03-20"}, "before --from"},
         {{"--place", "48,11", "--date", "2026-03-21", "--from", "2026-03-21", "--to", "2026-03-22"},
@@ -331,7 +331,7 @@ TEST_F(SunHours, BadUsageIsOneSentence) {
         {equinox + Words{"--hours", "9"}, "--hours"},
         {equinox + Words{"--hours", "9-25"}, "9-25"},
         {equinox + Words{"--hours", ""}, "--hours"},
-        {equinox + Words{"--utc-offset", "2"}, "no offset from UTC"},
+        {equinox + Words{"--utc-offset", "2"}, "not a valid offset from UTC"},
         {equinox + Words{"--min-altitude", "-1"}, "--min-altitude"},
         {equinox + Words{"--threshold", "25"}, "--threshold"},
         {equinox + Words{"--preset", "leed"}, "leed"},

@@ -164,7 +164,7 @@ TEST_F(Tradeoff, WhereNoSettingWillDoItSaysSoAfterTheReport) {
     if (!hasLab(result)) GTEST_SKIP();
     EXPECT_EQ(result.status, 3);
     EXPECT_TRUE(Json::parse(result.out)["take"].is_null());
-    EXPECT_NE(result.err.find("No setting keeps within"), std::string::npos);
+    EXPECT_NE(result.err.find("No setting stays within"), std::string::npos);
 }
 
 TEST_F(Tradeoff, ACameraOfYoursIsTheOnlyView) {

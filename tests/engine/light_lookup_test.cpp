@@ -200,7 +200,8 @@ TEST(LightLookup, IsOutOfDateOnceACasterOrTheLightIsElsewhere) {
 TEST(LightLookup, SaysWhyThereIsNone) {
     const gl::HeadlessContext context({hostWidth, hostHeight});
     const auto none = gl::limited(context.capabilities(), gl::Limits::es2Minimum);
-    EXPECT_EQ(LightLookups(none).obstacle(sun({0, 1, 0})), "the GL looks up no floats");
+    EXPECT_EQ(LightLookups(none).obstacle(sun({0, 1, 0})),
+              "the GL can't sample float textures exactly");
     ShadowMasks masks(eglLookUp);
     masks.add(meshOf(geometryOf(yard().scene())));
     MaskLight light = hostLight(pointLight({0.3, 400, 0.7}));
@@ -210,9 +211,10 @@ TEST(LightLookup, SaysWhyThereIsNone) {
     EXPECT_EQ(why({}), "the light is too far from its casters for a primitive map");
     light.position = {0.3, 4, 0.7};
     EXPECT_EQ(why({}), "");
-    EXPECT_EQ(why({512, 1000}), "a primitive map would take more than 1000 bytes, or minutes");
+    EXPECT_EQ(why({512, 1000}),
+              "a primitive map would take more than 1000 bytes, or minutes to build");
     light.radius = 0.1;
-    EXPECT_EQ(why({}), "a light with an extent is drawn by masks");
+    EXPECT_EQ(why({}), "a light with an extent needs masks");
 }
 
 TEST(LightLookup, RefusesWhatIsWrongInASentence) {

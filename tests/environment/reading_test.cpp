@@ -135,7 +135,7 @@ TEST(ReadEnvironment, WhatIsNoEnvironmentIsRefusedByName) {
     };
     const Bytes sound = panoramaOf(16, 8, [](const glm::vec3&) { return glm::vec3(1.0f); });
     EXPECT_NO_THROW(readEnvironment(folder.write("sound.hdr", sound)));
-    refuse("empty.hdr", {}, "is no Radiance picture");
+    refuse("empty.hdr", {}, "is not a Radiance picture");
     refuse("cut.hdr", Bytes(sound.begin(), sound.end() - 1), "ends within row 7 of 8");
     refuse("black.hdr", hdrOf(16, 8, [](int, int) { return glm::vec3(0.0f); }), "black all over");
     expectInputError([&] { readEnvironment(folder / "missing.hdr"); }, {"missing.hdr", "exist"});

@@ -114,7 +114,7 @@ TEST(BadAnimation, TimesAlikeAreAStep) {
     AnimatedBox scene;
     scene.setTimes<float>({0, 1, 1, 2});
     scene.setValues<float>({0, 0, 0, 2, 0, 0, 6, 0, 0, 8, 0, 0}, 3);
-    scene.expectPlayed({input, "holds 1 at element 2 after 1", "step"},
+    scene.expectPlayed({input, "holds 1 at element 2 after 1", "jumps"},
                        {{0.5, 1.0}, {1.0 - 1e-9, 2.0}, {1.0, 6.0}, {1.5, 7.0}});
     AnimatedBox all;
     all.setTimes<float>({0.5f, 0.5f});
@@ -184,7 +184,7 @@ TEST(BadAnimation, AValueATime) {
 TEST(BadAnimation, ThreeValuesATimeOfASpline) {
     AnimatedBox scene;
     scene.sampler()["interpolation"] = "CUBICSPLINE";
-    scene.expectLeftOut({output, "has 2 elements", "CUBICSPLINE of 2 times needs 6"});
+    scene.expectLeftOut({output, "has 2 elements", "CUBICSPLINE with 2 times needs 6"});
 }
 
 TEST(BadAnimation, ASplineOfOneTimeHasItsValue) {

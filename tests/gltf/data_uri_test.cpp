@@ -71,10 +71,10 @@ TEST(DataUri, IsPercentEncodedWithoutBase64) {
 
 TEST(DataUri, WhatIsNoneIsRefused) {
     expectRefused("data:application/octet-stream;base64", "no comma");
-    expectRefused("data:;base64,aGV@", "character 3 behind the comma");
-    expectRefused("data:;base64,aGV-", "character 3 behind the comma"); // from another base64
-                                                                        // alphabet
-    expectRefused("data:;base64,YQ==YQ==", "character 4 behind the comma");
+    expectRefused("data:;base64,aGV@", "character 3 after the comma");
+    expectRefused("data:;base64,aGV-", "character 3 after the comma"); // from another base64
+                                                                       // alphabet
+    expectRefused("data:;base64,YQ==YQ==", "character 4 after the comma");
     expectRefused("data:;base64,A", "within a group of four");
     expectRefused("data:;base64,AAAAA", "within a group of four");
     expectRefused("data:;base64,YWJj=", "within a group of four");

@@ -318,7 +318,7 @@ TEST(Instances, MustAgreeAndBePlaces) {
     Instances zero;
     zero.attributes()["ROTATION"] =
         zero.gltf.addArray<float>({0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 1}, 4);
-    zero.expectRefused({field, "(0, 0, 0, 0) at element 1", "no rotation"});
+    zero.expectRefused({field, "(0, 0, 0, 0) at element 1", "not a rotation"});
     Instances infinite;
     infinite.attributes()["TRANSLATION"] =
         infinite.gltf.addArray<float>({0, 0, 0, 0, INFINITY, 0, 0, 0, 0}, 3);

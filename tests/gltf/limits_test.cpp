@@ -78,7 +78,7 @@ TEST(Limits, AFileAsLargeAsAllowedIsRead) {
     --limits.fileBytes;
     const std::string size = std::to_string(glb.size()), limit = std::to_string(limits.fileBytes);
     expectInputError([&] { readGltf(path, limits); },
-                     {"scene.glb", size.c_str(), "limit of a file", limit.c_str()});
+                     {"scene.glb", size.c_str(), "limit for a file", limit.c_str()});
 }
 
 TEST(Limits, ExternalFilesAreAsLargeAtMost) {

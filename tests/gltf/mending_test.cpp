@@ -127,7 +127,7 @@ TEST(Mending, TextThatIsNoUtf8IsReplaced) {
     const Bytes bytes(text.begin(), text.end());
     const auto warnings = sceneOf(bytes).warnings.sentences();
     ASSERT_EQ(warnings.size(), 1u);
-    EXPECT_NE(warnings[0].find("no UTF-8"), std::string::npos);
+    EXPECT_NE(warnings[0].find("not UTF-8"), std::string::npos);
     EXPECT_NE(warnings[0].find("byte " + std::to_string(text.find("caf\xE9") + 3)),
               std::string::npos);
     const Json json = GlbParts(packed(bytes, Encoding::none)).json;

@@ -162,7 +162,7 @@ TEST(Meshopt, ANewerVertexCodecIsRefusedByName) {
     const Json& view = gltf.json["bufferViews"][0]["extensions"]["KHR_meshopt_compression"];
     gltf.binary[view["byteOffset"].get<std::size_t>()] = 0xA1;
     expectInputError([&] { sceneOf(gltf); }, {"bufferViews[0].extensions.KHR_meshopt_compression",
-                                              "vertices of codec version 1", "version 0 alone"});
+                                              "vertices of codec version 1", "only version 0"});
 }
 
 } // namespace edgeshade::test

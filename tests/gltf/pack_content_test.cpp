@@ -298,7 +298,7 @@ TEST(PackContent, AnImageBeyondALimitIsAnError) {
     const auto path = folder.write("scene.glb", gltf.glb());
     PackInput input = readForPacking(path, {}, limits);
     expectInputError([&] { packBytes(input, Encoding::none); },
-                     {"images[0].uri", "large.png", "limit of a file is 100000"});
+                     {"images[0].uri", "large.png", "limit for a file is 100000"});
 }
 
 } // namespace edgeshade::test

@@ -128,7 +128,7 @@ TEST_F(PartFile, TruncatedAnywhereIsRefused) {
 
 TEST_F(PartFile, SaysWhatIsWrong) {
     expectWords(messageOfText("[]"), {"k.part"});
-    expectWords(messageOfText("GIF89a"), {"no part of sun hours"});
+    expectWords(messageOfText("GIF89a"), {"not a part of a sunhours run"});
     expectWords(messageOf([](Json& j) { j.erase("edgeshade_sunhours_part"); }),
                 {"edgeshade_sunhours_part"});
     expectWords(messageOf([](Json& j) { j["edgeshade_sunhours_part"] = 2; }), {"version 1", "2"});
@@ -186,7 +186,7 @@ TEST(Merge, WantsEachPartOnce) {
     expectWords(mergeMessage(parts), {"'part 3': parts is 3, but part 1 is missing"});
     parts = split(3);
     parts.push_back({"copy", partOf(2, 3)});
-    expectWords(mergeMessage(parts), {"'copy': part is 2, which 'part 2' is already"});
+    expectWords(mergeMessage(parts), {"'copy': part is 2, but 'part 2' already has that number"});
 }
 
 TEST(Merge, WantsPartsOfOneRun) {

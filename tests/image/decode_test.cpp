@@ -74,7 +74,7 @@ TEST(DecodeImage, WhatInflatesBeyondItsPixelsIsRefusedBeforeThat) {
     const Bytes bomb = pngInflatingTo(50'000'000);
     ASSERT_LT(bomb.size(), 500'000u);
     expectInputError([&] { decodeImage(bomb, "'a.glb': images[0]"); },
-                     {"images[0]", "larger than its pixels"});
+                     {"images[0]", "expand to more than its pixels"});
     EXPECT_EQ(decodeImage(pngInflatingTo(2 * (1 + 2 * 3)), "image").width, 2); // all that the image
                                                                                // needs
 }

@@ -89,8 +89,8 @@ TEST(RadianceFile, AFileThatIsCutOffAnywhereIsRefused) {
 }
 
 TEST(RadianceFile, OtherFilesAreRefused) {
-    expectRefused({}, {"is no Radiance picture"});
-    expectRefused(bytesOf("A poem,\nof two lines.\n"), {"is no Radiance picture"});
+    expectRefused({}, {"is not a Radiance picture"});
+    expectRefused(bytesOf("A poem,\nof two lines.\n"), {"is not a Radiance picture"});
     expectRefused(bytesOf("#?RADIANCE"), {"ends within its header"});
     expectRefused(bytesOf("#?RADIANCE\n\n-Y 1 +X 1\n"), {"has no FORMAT=32-bit_rle_rgbe"});
     expectRefused(bytesOf("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n"),

@@ -57,18 +57,18 @@ TEST(ShadowPolicy, ChoosesByTheFirstRuleThatApplies) {
     };
     const std::vector<Row> rows{
         {"light without a shadow", Technique::none,
-         "others are estimated to add more to the picture",
+         "other lights are estimated to add more to the picture",
          [](Situation& of) { of.light.isShadowed = of.light.isDrawn = false; }},
-        {"light out of sight", Technique::none, "it reaches nothing that is visible",
+        {"light out of sight", Technique::none, "it reaches no visible geometry",
          [](Situation& of) {
              of.light.isDrawn = false;
              of.lookup = usable();
          }},
-        {"no shadows asked for", Technique::none, "", asked(ShadowMethod::none)},
-        {"shadow map asked for", Technique::map, "", asked(ShadowMethod::map)},
-        {"planar shadows asked for", Technique::planar, "", asked(ShadowMethod::planar)},
-        {"points asked for", Technique::points, "", asked(ShadowMethod::irregularZBuffer)},
-        {"volumes asked for", Technique::volumes, "", asked(ShadowMethod::volumes)},
+        {"no shadows requested", Technique::none, "", asked(ShadowMethod::none)},
+        {"shadow map requested", Technique::map, "", asked(ShadowMethod::map)},
+        {"planar shadows requested", Technique::planar, "", asked(ShadowMethod::planar)},
+        {"points requested", Technique::points, "", asked(ShadowMethod::irregularZBuffer)},
+        {"volumes requested", Technique::volumes, "", asked(ShadowMethod::volumes)},
         {"lookup is built", Technique::lookup, "at rest", asked(ShadowMethod::primitiveMap)},
         {"lookup is built", Technique::lookup, "at rest", asked(ShadowMethod::automatic)},
         {"points cost less than volumes", Technique::points,
@@ -213,10 +213,11 @@ TEST(ShadowPolicy, SaysWhatKeepsALightFromBeingLookedUp) {
     const auto edges = [](std::size_t count) { return [=] { return count; }; };
     const std::vector<Row> rows{
         {"", [](Situation&) {}},
-        {"the GL looks up no floats", [](Situation& of) { of.device.floatTables = false; }},
+        {"the GL can't sample float textures exactly",
+         [](Situation& of) { of.device.floatTables = false; }},
         {"", [](Situation& of) { of.device.textureUnits = 4; }},
         {"", [](Situation& of) { of.scene.cutoutsCast = true; }},
-        {"the GL has too few textures for cutouts",
+        {"the GL has too few texture units for cutouts",
          [](Situation& of) {
              of.scene.cutoutsCast = true;
              of.device.textureUnits = 5;
@@ -227,18 +228,18 @@ TEST(ShadowPolicy, SaysWhatKeepsALightFromBeingLookedUp) {
         {"some casters are alpha-tested", [](Situation& of) { of.scene.alphaTested = true; }},
         {"", [](Situation& of) { of.light.hasRange = of.light.isSpot = true; }},
         {"", [](Situation& of) { of.light.hasExtent = true; }},
-        {"the GL has too few uniforms for a light's places",
+        {"the GL has too few uniforms for a light's points",
          [](Situation& of) {
              of.light.hasExtent = true;
              of.device.fragmentUniformVectors = 63;
          }},
-        {"a light with an extent has a range",
+        {"it has both an extent and a range",
          [](Situation& of) { of.light.hasExtent = of.light.hasRange = true; }},
-        {"a light with an extent is a spot",
+        {"it is a spot with an extent",
          [](Situation& of) { of.light.hasExtent = of.light.isSpot = true; }},
-        {"a light with an extent shines on cutouts",
+        {"it has an extent, and cutouts cast shadows",
          [](Situation& of) { of.light.hasExtent = of.scene.cutoutsCast = true; }},
-        {"a light with an extent shines on what moves",
+        {"it has an extent, and casters are animated",
          [](Situation& of) { of.light.hasExtent = of.scene.anyAnimated = true; }},
         {"volumes of 1000 silhouette edges cost less",
          [=](Situation& of) { of.light.silhouetteEdges = edges(1000); }},
@@ -270,7 +271,7 @@ TEST(ShadowPolicy, SaysWhatKeepsALightFromBeingLookedUp) {
 TEST(ShadowPolicy, TriesNoLookupWithoutRoom) {
     const ShadowPolicy policy = Situation{}.policy();
     EXPECT_EQ(policy.roomObstacle(leastLookupBytes - 1),
-              "other lights' primitive maps leave no room");
+              "other lights' primitive maps leave no memory for it");
     EXPECT_EQ(policy.roomObstacle(leastLookupBytes), "");
 }
 

@@ -78,7 +78,7 @@ TEST(Frustum, RefusesMatricesThatAreNoneWithASentence) {
     infinite[1][1] = INFINITY;
     EXPECT_NE(refusalOf(infinite, lens).find("not finite"), std::string::npos);
     EXPECT_NE(refusalOf(rolled, glm::dmat4(0.0)).find("projection"), std::string::npos);
-    EXPECT_NE(refusalOf(rolled, glm::rotate(lens, 0.3, {0, 0, 1})).find("turns"),
+    EXPECT_NE(refusalOf(rolled, glm::rotate(lens, 0.3, {0, 0, 1})).find("rotates"),
               std::string::npos);
     EXPECT_NE(
         refusalOf(rolled, glm::scale(glm::dmat4(1.0), glm::dvec3(-1, 1, 1)) * lens).find("mirrors"),

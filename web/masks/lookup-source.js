@@ -8,7 +8,7 @@ const short = (word) => word[0].toLowerCase() + word.slice(1);
 
 /** As described at lookupSource() in edgeshade/light_lookup.hpp. `prefix`: starts all names. */
 export function lookupSource(prefix) {
-  if (!/^(?!gl_)[A-Za-z_]\w*$/.test(prefix) || /__|_$/.test(prefix)) throw new Error(`'${prefix}' is no prefix of names in GLSL.`);
+  if (!/^(?!gl_)[A-Za-z_]\w*$/.test(prefix) || /__|_$/.test(prefix)) throw new Error(`'${prefix}' is not a valid prefix for names in GLSL.`);
   return text.replace(/\w+/g, (word) => {
     if (!isOwn(word)) return word;
     const named = word.replace(/^u_primitive(\w+)|^primitive(Lit\w*)/, (_, uniform, asked) => short(uniform ?? asked));

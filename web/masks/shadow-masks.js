@@ -20,7 +20,7 @@ export const mostLights = 32;
 function numbersOf({ kind = 'directional', position = [0, 0, 0], direction = [0, -1, 0], range = Infinity,
   outerAngle = Math.PI / 4, radius = 0 }, index) {
   const number = kinds.indexOf(kind);
-  if (number < 0) throw new Error(`Light ${index} is of kind '${kind}', which is none of ${kinds.join(', ')}.`);
+  if (number < 0) throw new Error(`Light ${index} has the kind '${kind}', which is not one of ${kinds.join(', ')}.`);
   return [number, ...position, ...direction, range, outerAngle, radius];
 }
 
@@ -118,9 +118,9 @@ export class ShadowMasks {
 
   /** Sets the alpha of an alpha-tested mesh. */
   setAlpha(id, { texture = null, channel = 'alpha', opacity = 1, cutoff = 0.5, texcoordTransform = [1, 0, 0, 0, 1, 0, 0, 0, 1] }) {
-    if (!channels.includes(channel)) throw new Error(`Alpha is in the channel '${channel}', which is none of ${channels.join(', ')}.`);
+    if (!channels.includes(channel)) throw new Error(`Alpha has the channel '${channel}', which is not one of ${channels.join(', ')}.`);
     const numbers = Float32Array.from([opacity, cutoff, ...texcoordTransform]);
-    if (numbers.length !== 11) throw new Error('A transform of texture coordinates has 9 numbers.');
+    if (numbers.length !== 11) throw new Error('A texture coordinate transform must have 9 numbers.');
     this.#textures.use(id, texture, (name) => withCopies(this.#program, [numbers], ([address]) =>
       this.#require(this.#masks.setAlpha(id, name, channel === 'green', address))));
   }

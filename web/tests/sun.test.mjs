@@ -146,9 +146,9 @@ test('an address or a change that makes no sense says so', async () => {
   const page = await shared.open(`${smallPage}&place=48.14,11.57`);
   await waitForNotice(page, /only one of 'place' and 'time-of-day'/);
   for (const [sun, message] of [
-    [{ place: [91, 0], time: '2026-06-21T14:30Z' }, /sun\.place: 91 is no latitude/],
+    [{ place: [91, 0], time: '2026-06-21T14:30Z' }, /sun\.place: 91 is not a valid latitude/],
     [{ place: [0, 0], time: '2025-02-29T14:30Z' }, /sun\.time: .*month 2 of 2025 has no day 29/],
-    [{ place: [0, 0], time: 'noon' }, /sun\.time: 'noon' is no time/],
+    [{ place: [0, 0], time: 'noon' }, /sun\.time: 'noon' is not a valid time/],
     [{ place: [0, 0] }, /'place' and a 'time'/]])
     await assert.rejects(change(page, { sun }), message);
   assert.equal((await stateOf(page)).sun, null);

@@ -33,8 +33,8 @@ void LitCounter::add(Renderer& renderer, GpuScene& scene, const LoadedScene& loa
     for (const FrameLight& of : view.lights)
         added += of.atOnce ? of.points.size() : 1;
     if (lights_ + added > PictureSum::most)
-        throw Error(ExitStatus::usage, "More than " + std::to_string(PictureSum::most) +
-                                           " masks were to be added up.");
+        throw Error(ExitStatus::usage,
+                    "At most " + std::to_string(PictureSum::most) + " masks can be added up.");
     if (const auto records = renderer.settings().records()) {
         std::vector<FrameLight> lights = view.lights;
         lights.insert(lights.end(), others.begin(), others.end());

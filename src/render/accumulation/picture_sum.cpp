@@ -52,7 +52,7 @@ void PictureSum::begin(int width, int height) {
         share_ = {};
         if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
             throw Error(ExitStatus::unavailable,
-                        "This GL can't draw into a texture, which adding pictures up needs.");
+                        "This GL can't draw into a texture, which adding up pictures needs.");
         size_ = {width, height};
     }
     drawPlainlyInto(sums_.low.framebuffer.name(), size_);

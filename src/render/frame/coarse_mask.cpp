@@ -32,7 +32,7 @@ CoarseMask::CoarseMask(int scale, const gl::Capabilities& capabilities)
     if (!capabilities.has("GL_OES_standard_derivatives"))
         throw Error(ExitStatus::unavailable,
                     "This GL has no derivatives in shaders (GL_OES_standard_derivatives), which a "
-                    "mask of lower resolution needs; '--mask-scale 1' does without.");
+                    "mask of lower resolution needs; '--mask-scale 1' works without it.");
 }
 
 gl::ColorTarget CoarseMask::makeTarget(const glm::ivec2& size) const {
@@ -41,7 +41,7 @@ gl::ColorTarget CoarseMask::makeTarget(const glm::ivec2& size) const {
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw Error(ExitStatus::unavailable,
                     "This GL can't draw into a texture with depth and stencil, which a mask of "
-                    "lower resolution needs; '--mask-scale 1' does without.");
+                    "lower resolution needs; '--mask-scale 1' works without it.");
     return made;
 }
 

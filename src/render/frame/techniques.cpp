@@ -15,8 +15,9 @@ std::unique_ptr<ShadowMapPass> makeMapPass(const RenderSettings& settings,
     if (settings.map.isPlain()) return std::make_unique<ShadowMapPass>(settings.map, capabilities);
     if (settings.rivals)
         if (auto pass = settings.rivals->maps(settings, capabilities)) return pass;
-    throw Error(ExitStatus::unavailable,
-                "This build's shadow maps are cubes, single ones and cascades, compared, alone.");
+    throw Error(
+        ExitStatus::unavailable,
+        "This build has only cube, single and cascaded shadow maps, without filters or warps.");
 }
 
 } // namespace
@@ -38,10 +39,11 @@ Techniques::Techniques(const RenderSettings& settings, const gl::Capabilities& c
     }
     const ShadowPolicy policy(settings.policy(), deviceFactsOf(capabilities), {});
     if (settings.shadows == ShadowMethod::irregularZBuffer && !policy.mayAskPoints())
-        throw Error(ExitStatus::unavailable,
-                    "'--shadows irregular-z-buffer' needs a GL whose processor draws, with one "
-                    "sample a pixel and framebuffers with depth (GL_OES_packed_depth_stencil); "
-                    "'--shadows volumes' does without.");
+        throw Error(
+            ExitStatus::unavailable,
+            "'--shadows irregular-z-buffer' needs a GL that draws on the processor, with one "
+            "sample per pixel and framebuffers with depth (GL_OES_packed_depth_stencil); "
+            "'--shadows volumes' works without these.");
     if constexpr (hasPoints)
         if (policy.mayAskPoints())
             at(Technique::points) = std::make_unique<PointsTechnique>(capabilities);

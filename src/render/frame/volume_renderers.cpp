@@ -10,7 +10,7 @@ std::unique_ptr<VolumeRenderer> makeVolumeRenderer(const RenderSettings& setting
                                                    std::optional<VolumeTints> tints) {
     if (settings.layout != SidesLayout::notInstanced && !capabilities.instancing)
         throw Error(ExitStatus::unavailable,
-                    "This GL has no instanced drawing; '--instancing off' does without.");
+                    "This GL has no instanced drawing; '--instancing off' works without it.");
     const auto records = settings.records();
     if (!records) return nullptr;
     if (records->volumes == VolumeLayout::planePairs)
@@ -18,7 +18,7 @@ std::unique_ptr<VolumeRenderer> makeVolumeRenderer(const RenderSettings& setting
     if (settings.rivals)
         if (auto volumes = settings.rivals->volumes(settings, capabilities, tints)) return volumes;
     throw Error(ExitStatus::unavailable,
-                "This build draws shadow volumes from plane-pair records alone.");
+                "This build draws shadow volumes from plane-pair records only.");
 }
 
 } // namespace edgeshade

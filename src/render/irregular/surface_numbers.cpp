@@ -59,7 +59,7 @@ void SurfaceNumbers::fit(int width, int height) {
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw Error(ExitStatus::unavailable,
                     "This GL can't draw into a texture with depth, which '--shadows "
-                    "irregular-z-buffer' needs; '--shadows volumes' does without.");
+                    "irregular-z-buffer' needs; '--shadows volumes' works without it.");
     size_ = {width, height};
 }
 

@@ -16,11 +16,11 @@ void requireCountable(VolumeLayout layout, const FrameView& view) {
         layout == VolumeLayout::triangles ? "Brute-force volumes" : "Opposite-vertex records";
     if (view.frustum.orthographic)
         throw Error(ExitStatus::unavailable, what + " can't be counted in an orthographic picture; "
-                                                    "'--multiplicity plane' can.");
+                                                    "'--multiplicity plane' can count them.");
     if (view.culls)
         throw Error(ExitStatus::unavailable,
-                    what + " don't say which side of a triangle is its front, so "
-                           "that culled casters can't be counted; '--multiplicity plane' can.");
+                    what + " don't store which side of a triangle is its front, so culled "
+                           "casters can't be counted; '--multiplicity plane' can count them.");
 }
 
 } // namespace

@@ -15,7 +15,7 @@ void PlanarTechnique::prepareScene(const GpuScene& scene, const LoadedScene& loa
 void PlanarTechnique::describe(const GpuScene&, const Light&, LightMethod& method) const {
     const std::size_t count = planes_.all().size();
     method.why = "onto " + std::to_string(count) +
-                 (count == 1 ? " plane alone, which has " : " planes alone, which have ") +
+                 (count == 1 ? " plane only, which has " : " planes only, which have ") +
                  std::to_string(std::lround(100.0 * planes_.share())) + " % of all surfaces' area";
     method.buildMs = planes_.buildMs();
     method.bytes = planes_.bytes();

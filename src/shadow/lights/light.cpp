@@ -10,8 +10,8 @@ namespace edgeshade {
 void requireFewLights(std::size_t lights) {
     if (lights > mostLights)
         throw Error(ExitStatus::usage, "More than " + std::to_string(mostLights) +
-                                           " lights were asked for, but a picture has " +
-                                           std::to_string(mostLights) + " at most.");
+                                           " lights were requested, but a picture has at most " +
+                                           std::to_string(mostLights) + ".");
 }
 
 Light defaultLight() {

@@ -27,14 +27,15 @@ std::size_t trianglesOf(const PlanePairShadow& shadow, const RecordRange& cluste
 const char* wordsFor(Counted counted) {
     switch (counted) {
     case Counted::lightFacing:
-        return "light-facing triangles alone: closed, and around eye and light alike";
+        return "light-facing triangles only: closed, with eye and light both inside or both "
+               "outside";
     case Counted::facingAway:
-        return "triangles that face away from the light alone: closed, around eye and light alike, "
-               "and partly culled";
+        return "only triangles that face away from the light: closed, with eye and light both "
+               "inside or both outside, and partly culled";
     case Counted::all:
         break;
     }
-    return "all triangles: open, or eye, near plane or light may be within";
+    return "all triangles: open, or eye, near plane or light may be inside";
 }
 
 const char* wordsFor(CapsNeeded caps) {
@@ -52,7 +53,7 @@ const char* wordsFor(CapsNeeded caps) {
     case CapsNeeded::uncertain:
         break;
     }
-    return "z-fail with caps: what stands between near plane and light can't be told for certain";
+    return "z-fail with caps: which casters lie between near plane and light is uncertain";
 }
 
 const char* wordsFor(LeftOut::Why why) {
@@ -60,11 +61,11 @@ const char* wordsFor(LeftOut::Why why) {
     case LeftOut::Why::outsideView:
         return "their volumes miss the view";
     case LeftOut::Why::tooDeep:
-        return "their volumes begin behind all that is visible";
+        return "their volumes begin behind all visible geometry";
     case LeftOut::Why::tooFar:
-        return "they are out of the light's range";
+        return "they are beyond the light's range";
     case LeftOut::Why::outsideCone:
-        return "they are beside the light's cone";
+        return "they are outside the light's cone";
     }
     return {};
 }
@@ -89,16 +90,15 @@ std::string offered(const CountPlan& plan) {
     }
     std::ostringstream text;
     if (all)
-        text << "all " << pairs << " records of two triangles and ";
+        text << "all " << pairs << " pair records and ";
     else
-        text << listed << " of " << pairs << " records of two triangles, those that can be "
-             << "silhouettes, and ";
-    text << singles << " of one triangle";
+        text << listed << " of " << pairs << " pair records, those that can be silhouettes, and ";
+    text << counted(singles, "single record");
     return text.str();
 }
 
 /// Describes the records and caps that the draws for one range of clusters send to the vertex
-/// shader: "; 12 records of sides, 3 fans, 40 caps".
+/// shader: "; 12 side records, 3 fan records, 40 caps".
 std::string takenBy(const CountPlan& plan, std::size_t batch, std::size_t choice) {
     std::size_t sides = 0, twice = 0, fans = 0, caps = 0, tested = 0, culled = 0;
     for (const auto* draws : {&plan.draws.twice, &plan.draws.once})
@@ -113,29 +113,28 @@ std::string takenBy(const CountPlan& plan, std::size_t batch, std::size_t choice
             if (draw.alphaTested && !draw.culled) tested += draw.range.count;
         }
     std::ostringstream text;
-    text << "; " << counted(sides, "record") << " of sides";
-    if (twice > 0) text << ", " << twice << " of them for those that count twice";
-    if (fans > 0) text << ", " << fans << " of fans that are caps";
+    text << "; " << counted(sides, "side record");
+    if (twice > 0) text << ", " << twice << " of them for sides that count twice";
+    if (fans > 0) text << ", " << counted(fans, "fan record") << " as caps";
     if (caps > 0) text << ", " << counted(caps, "cap");
     if (tested > 0) text << ", " << tested << " of them alpha-tested";
     if (culled > 0)
-        text << ", " << counted(culled, "cap")
-             << " more, of single-sided triangles: where they are";
+        text << ", " << counted(culled, "more cap") << " of single-sided triangles, drawn in place";
     return text.str();
 }
 
 std::string explain(const FillCost& fill) {
     std::ostringstream text;
-    text << "filling, by estimate: " << std::llround(fill.triangles) << " triangles, "
-         << std::llround(fill.tilePairs) << " pairs of a triangle and a tile of 64 x 64 pixels, "
+    text << "estimated fill: " << std::llround(fill.triangles) << " triangles, "
+         << std::llround(fill.tilePairs) << " pairs of triangle and 64 x 64 pixel tile, "
          << std::llround(fill.fragments) << " fragments; "
-         << std::round(1e-4 * FillWeights().of(fill)) / 100.0 << " ms of llvmpipe's\n";
+         << std::round(1e-4 * FillWeights().of(fill)) / 100.0 << " ms with llvmpipe\n";
     return text.str();
 }
 
 std::string explain(const CountPlan& plan) {
     std::ostringstream text;
-    text << "the count starts at " << plan.start.count() << "\n";
+    text << "the stencil count starts at " << plan.start.count() << "\n";
     for (std::size_t i = 0; i < plan.batches.size(); ++i) {
         const BatchPlan& batch = plan.batches[i];
         const PlanePairShadow& shadow = *batch.shadow;
@@ -143,7 +142,7 @@ std::string explain(const CountPlan& plan) {
              << " in " << counted(shadow.clusters.size(), "cluster") << "\n";
         if (const auto& by = batch.volumes.fullyShadowedBy) {
             text << "  cluster " << *by << " is closed, with eye and light on different sides: "
-                 << "all that is visible is in its shadow, and no volumes are drawn\n";
+                 << "all visible geometry is in its shadow, and no volumes are drawn\n";
             continue;
         }
         for (std::size_t choice = 0; choice < batch.volumes.drawn.size(); ++choice) {
@@ -152,13 +151,13 @@ std::string explain(const CountPlan& plan) {
                  << clustersOf(drawn.clusters) << ", "
                  << counted(trianglesOf(shadow, drawn.clusters), "triangle") << "; "
                  << wordsFor(drawn.caps);
-            if (drawn.end >= 0) text << ", ending beyond what is visible";
+            if (drawn.end >= 0) text << ", ending beyond all visible geometry";
             if (drawn.start != 0)
-                text << ", the near rectangle within " << counted(drawn.start, "volume");
+                text << ", the near rectangle inside " << counted(drawn.start, "volume");
             if (drawn.zFail())
                 text << (drawn.frontCaps ? "" : ", no front caps in view")
                      << (drawn.backCaps ? "" : ", no back caps in view")
-                     << (drawn.nearDiscard ? ", cut where the near plane cuts" : "");
+                     << (drawn.nearDiscard ? ", cut at the near plane" : "");
             text << "; " << wordsFor(drawn.counted);
             if (!plan.fullyShadowed) text << takenBy(plan, i, choice);
             text << "\n";
@@ -187,7 +186,7 @@ std::string explain(const FramePlan& plan, const FrameView& view) {
         text << "light " << i << ", " << placeOf(view.lights[i].light) << ": ";
         const std::vector<std::size_t> slices = slicesOf(plan, i);
         if (slices.empty()) {
-            text << "it reaches nothing that is visible\n";
+            text << "it reaches no visible geometry\n";
             continue;
         }
         const LightPlan& first = plan.slices[slices.front()].lights[i];
@@ -196,13 +195,13 @@ std::string explain(const FramePlan& plan, const FrameView& view) {
             continue;
         }
         if (first.counts.front().byPoints) {
-            text << "no volumes: visible points are asked one by one\n";
+            text << "no volumes: each visible point is tested by itself\n";
             continue;
         }
         if (first.inGroups())
             text << "casters in " << first.counts.size() << " groups, since "
                  << (view.lights[i].cut ? "they are cut at the light's depth\n"
-                                        : "more volumes may overlap than a stencil counts\n");
+                                        : "more volumes may overlap than the stencil can count\n");
         for (std::size_t g = 0; g < first.counts.size(); ++g) {
             if (first.inGroups()) text << "group " << g << ": ";
             text << offered(first.counts[g]) << "\n";

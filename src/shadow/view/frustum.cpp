@@ -56,8 +56,8 @@ Frustum frustumOf(const Camera& camera, double aspect, std::optional<double> hei
 glm::dmat4 rigidView(const glm::dmat4& viewFromWorld) {
     requireFinite(viewFromWorld, "camera's");
     if (!isNear(glm::row(viewFromWorld, 3), {0, 0, 0, 1}))
-        fail("The camera's matrix is no view matrix: its last row, the numbers 4, 8, 12 and 16, is "
-             "not 0, 0, 0, 1.");
+        fail("The camera's matrix is not a view matrix: its last row, the numbers 4, 8, 12 and 16, "
+             "is not 0, 0, 0, 1.");
     const glm::dmat3 turn(viewFromWorld);
     const double scale = scaleOf(viewFromWorld);
     if (!(scale > 0.0)) fail("The camera's matrix is singular.");
@@ -70,7 +70,7 @@ glm::dmat4 rigidView(const glm::dmat4& viewFromWorld) {
     const glm::dvec3 x = glm::cross(y, z);
     if (glm::distance(x, right) > tolerance || glm::distance(y, up) > tolerance ||
         glm::distance(z, backward) > tolerance)
-        fail("The camera's matrix is no turn and shift: it shears or scales.");
+        fail("The camera's matrix is not a rotation and translation: it shears or scales.");
     glm::dmat4 rigid(1.0);
     for (glm::length_t c = 0; c < 3; ++c)
         rigid[c] = {x[c], y[c], z[c], 0.0};
@@ -99,7 +99,7 @@ Frustum frustumOf(const glm::dmat4& viewFromWorld, const glm::dmat4& clipFromVie
         wanted[axis] = slope;
         wanted[frustum.orthographic ? 3 : 2] = row[frustum.orthographic ? 3 : 2];
         if (!(slope > 0.0) || glm::length(row - wanted) > tolerance * slope)
-            fail("The projection turns, mirrors or shears the picture.");
+            fail("The projection rotates, mirrors or shears the picture.");
         // -1 = slope x + offset at the window's low end, with x at depth 1.
         const double offset = frustum.orthographic ? row.w : -row.z;
         const double perUnit = frustum.orthographic ? scale : 1.0;
