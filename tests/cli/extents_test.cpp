@@ -178,7 +178,7 @@ TEST_F(Extents, WhatMeansNothingIsRefused) {
     expectUsage("render", lamp + Words{"--debug", "volumes"}, "--debug volumes");
     expectUsage("render", lamp + Words{"--mask", "--light-samples", "4096", "--smooth", "17"},
                 "65535");
-    expectUsage("render", lamp + Words{"--shade-samples", "--light-samples", "257"}, "256 at most");
+    expectUsage("render", lamp + Words{"--shade-samples", "--light-samples", "257"}, "at most 256");
     expectUsage("render", lamp + Words{"--shade-samples", "--shading", "base"}, "--shading full");
     expectUsage("bench", {"--light-samples", "8"}, "needs a light with an extent");
     expectUsage("compare", {"--light-samples", "8"}, "needs a light with an extent");

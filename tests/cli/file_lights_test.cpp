@@ -83,7 +83,7 @@ TEST_F(FileLights, GoWithOneAnotherOrWithTypedOnes) {
 TEST_F(FileLights, OfMoreThanAPictureHasTheFirstAreDrawn) {
     const ProcessResult result = render({"--shadowed-lights", "0"}, 1001);
     EXPECT_EQ(result.status, 0) << result.err;
-    EXPECT_NE(result.err.find("has 1001 lights, but a picture has 1000 at most"), std::string::npos)
+    EXPECT_NE(result.err.find("has 1001 lights, but a picture has at most 1000"), std::string::npos)
         << result.err;
 }
 

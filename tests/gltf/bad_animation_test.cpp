@@ -175,7 +175,7 @@ TEST(BadAnimation, ClaimedValuesWithoutDataAreLeftOut) {
 TEST(BadAnimation, AValueATime) {
     AnimatedBox few;
     few.setValues(std::vector<float>(3), 3);
-    few.expectLeftOut({output, "has 1 elements", "LINEAR of 2 times needs 2"});
+    few.expectLeftOut({output, "has 1 elements", "LINEAR with 2 times needs 2"});
     AnimatedBox many;
     many.setValues(std::vector<float>(9), 3);
     many.expectLeftOut({output, "has 3 elements", "needs 2"});
