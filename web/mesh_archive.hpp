@@ -7,8 +7,7 @@ namespace edgeshade::web {
 
 template <class Archive>
 void transfer(Archive& archive, Maybe<RecordVertices> auto& vertices) {
-    archive(vertices.inBatch, vertices.pairs, vertices.singles, vertices.singlePlanes,
-            vertices.caps);
+    archive(vertices.inBatch, vertices.pairs, vertices.singles, vertices.caps);
 }
 
 template <class Archive>
@@ -21,9 +20,9 @@ void transfer(Archive& archive, Maybe<Geometry> auto& geometry) {
 
 template <class Archive>
 void transfer(Archive& archive, Maybe<PlanePairShadow> auto& shadow) {
-    archive(shadow.pairs, shadow.pairPlanes, shadow.singles, shadow.caps, shadow.capTriangles,
-            shadow.groups, shadow.clusters, shadow.leaves, shadow.edges, shadow.flatPairs,
-            shadow.flatEdges, shadow.vertices, shadow.solids);
+    archive(shadow.pairs, shadow.pairPlanes, shadow.singles, shadow.singlePlanes, shadow.caps,
+            shadow.capTriangles, shadow.groups, shadow.clusters, shadow.leaves, shadow.edges,
+            shadow.flatPairs, shadow.flatEdges, shadow.vertices, shadow.solids);
 }
 
 } // namespace edgeshade::web

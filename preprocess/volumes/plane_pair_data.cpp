@@ -94,7 +94,7 @@ class SideWriter {
         if (!two.second) {
             shadow.singles[single] = {a, b, plane};
             if (vertices) vertices->singles[single] = {edge.a, edge.b};
-            if (vertices) vertices->singlePlanes[single] = planeOf(two.first);
+            shadow.singlePlanes[single] = planeOf(two.first);
             ++single;
             return;
         }
@@ -158,10 +158,10 @@ std::vector<SideCounts> addSides(const WeldedMesh& mesh, const EdgeList& edges,
     shadow.pairs.resize(pairsOf.back().end);
     shadow.pairPlanes.resize(pairsOf.back().end);
     shadow.singles.resize(singlesOf.back().end);
+    shadow.singlePlanes.resize(singlesOf.back().end);
     if (vertices) {
         vertices->pairs.resize(pairsOf.back().end);
         vertices->singles.resize(singlesOf.back().end);
-        vertices->singlePlanes.resize(singlesOf.back().end);
     }
 
     std::vector<std::size_t> pairCounts(parts.size()), flatPairs(parts.size()),
@@ -323,9 +323,9 @@ class Poser {
         const auto& [a, b] = vertices_.pairs[i];
         return {points_[a], points_[b], planeIn(caps, planes[0]), planeIn(caps, planes[1])};
     }
-    SingleRecord single(std::size_t i, const std::vector<CapRecord>& caps) const {
+    SingleRecord single(std::size_t i, PlaneOf plane, const std::vector<CapRecord>& caps) const {
         const auto& [a, b] = vertices_.singles[i];
-        return {points_[a], points_[b], planeIn(caps, vertices_.singlePlanes[i])};
+        return {points_[a], points_[b], planeIn(caps, plane)};
     }
 
   private:
@@ -373,7 +373,7 @@ PlanePairShadow posedPlanePairs(const PlanePairShadow& shadow, const Batch& batc
     for (std::size_t i = 0; i < posed.pairs.size(); ++i)
         posed.pairs[i] = poser.pair(i, posed.pairPlanes[i], posed.caps);
     for (std::size_t i = 0; i < posed.singles.size(); ++i)
-        posed.singles[i] = poser.single(i, posed.caps);
+        posed.singles[i] = poser.single(i, posed.singlePlanes[i], posed.caps);
     for (ShadowCluster& cluster : posed.clusters) {
         cluster.bounds = boxOf(posed.caps, cluster.caps.first, cluster.caps.end());
         for (std::uint32_t i = 0; i < cluster.leaves.count; ++i) {

@@ -98,8 +98,7 @@ struct ShadowCluster {
 struct RecordVertices {
     std::vector<std::uint32_t> inBatch; ///< a vertex of the batch for each welded vertex
     std::vector<std::array<std::uint32_t, 2>> pairs, singles; ///< a and b, as welded vertices
-    std::vector<PlaneOf> singlePlanes;
-    std::vector<Triangle> caps; ///< welded vertices
+    std::vector<Triangle> caps;                               ///< welded vertices
 };
 
 /// The records of one batch.
@@ -108,6 +107,7 @@ struct PlanePairShadow {
                                    ///< caps
     std::vector<std::array<PlaneOf, 2>> pairPlanes; ///< origin of the planes, for each pair
     std::vector<SingleRecord> singles;
+    std::vector<PlaneOf> singlePlanes; ///< origin of the plane, for each single
     std::vector<CapRecord> caps;
     std::vector<std::uint32_t> capTriangles; ///< the triangle of CasterMesh for each cap
     std::vector<MaterialCasters> groups;     ///< ranges of caps; one for each opaque cluster

@@ -70,7 +70,7 @@ class Stage {
         planMs_ = 1e3 * watch.lap();
         layersMs_ = 0.0;
         if (!volumes) return;
-        const bool anyNew = layers_.fill(loaded_.scene, loaded_.settings.castMasked, view_.lights);
+        const bool anyNew = layers_.fill(loaded_.layerCasters(), view_.lights);
         if (anyNew) layersMs_ = 1e3 * watch.lap();
     }
 

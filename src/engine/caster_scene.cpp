@@ -181,7 +181,7 @@ std::vector<LookupTask::Caster> CasterScene::casters() const {
 }
 
 void CasterScene::fillLayers(std::vector<FrameLight>& lights) {
-    layers_.fill(loaded_.scene, loaded_.settings.castMasked, lights);
+    layers_.fill(loaded_.layerCasters(), lights);
 }
 
 const Box& CasterScene::bounds() {

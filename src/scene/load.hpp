@@ -6,6 +6,7 @@
 #include "preprocess/volumes/plane_pair_data.hpp"
 #include "preprocess/volumes/shadow_data.hpp"
 #include "src/image/scene_images.hpp"
+#include "src/shadow/layers/layer_casters.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -33,6 +34,8 @@ struct LoadedScene {
                                        ///< primitive maps
     std::optional<Ground> ground = {}; ///< laid beneath the scene
     bool showsGround = true;           ///< the ground, if any, is visible now
+
+    LayerCasters layerCasters() const { return {scene, planePairs, settings.castMasked}; }
 };
 
 /// Stages of loading, in order.

@@ -34,7 +34,7 @@ bool Convergence::advance(std::array<Renderer*, 2> renderers, GpuScene& scene,
     for (FrameLight& of : view_->lights) {
         if (of.points.empty() || byMap) continue;
         const std::span<const Light> next(of.points.data() + counted_, end - counted_);
-        of.layers = boundLayers(loaded.scene, loaded.settings.castMasked, next, stencilLimit);
+        of.layers = layers_.bound(loaded.layerCasters(), next, stencilLimit);
         if (of.layers.groupCount > 1) scene.groups.clear(); // other points need other groups
     }
     for (std::size_t side = 0; side < sides_.size(); ++side) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "src/render/accumulation/extended_lights.hpp"
+#include "src/shadow/layers/layer_search.hpp"
 #include "src/viewer/counting_pace.hpp"
 #include "src/viewer/seen_scene.hpp"
 #include "src/viewer/view_state.hpp"
@@ -57,6 +58,7 @@ class Convergence {
     std::optional<FrameView> view_;
     std::size_t counted_ = 0, shown_ = 0, of_ = 0;
     CountingPace pace_;
+    LayerSearch layers_;
 };
 
 } // namespace edgeshade::viewer

@@ -1,10 +1,10 @@
 // Processor time for a frame before anything is drawn, over bench's flight: finding the visible
-// geometry and, for a moving light, bounding the layers around it. Needs no GL. `plan_times
-// SCENE...` prints JSON.
+// geometry and, for a moving light, bounding the layers around it, by silhouettes and by triangles
+// in turn. Needs no GL. `plan_times SCENE...` prints JSON.
 #include "preprocess/base/stopwatch.hpp"
 #include "src/bench/flythrough.hpp"
 #include "src/scene/load.hpp"
-#include "src/shadow/layers/layer_bound.hpp"
+#include "src/shadow/layers/layer_search.hpp"
 #include "src/shadow/view/frame_view.hpp"
 #include "tests/bench/told_scenes.hpp"
 
@@ -18,17 +18,26 @@ using Json = nlohmann::ordered_json;
 constexpr int frames = 24, turns = 8;
 constexpr double aspect = 16.0 / 9.0;
 
-/// Milliseconds since its start: elapsed, and of all cores, each a list of `times`.
+/// Milliseconds of some calls: elapsed, and of all cores.
 class Times {
   public:
-    Json per(int times) {
-        const double processor = static_cast<double>(std::clock() - start_) / CLOCKS_PER_SEC;
-        return {{"ms", 1e3 * watch_.lap() / times}, {"processor_ms", 1e3 * processor / times}};
+    template <class Work>
+    void add(const Work& work) {
+        const std::clock_t start = std::clock();
+        Stopwatch watch;
+        work();
+        seconds_ += watch.lap();
+        processor_ += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+        ++calls_;
+    }
+    /// A call's mean, as a list of {"ms", "processor_ms"}.
+    Json mean() const {
+        return {{"ms", 1e3 * seconds_ / calls_}, {"processor_ms", 1e3 * processor_ / calls_}};
     }
 
   private:
-    Stopwatch watch_;
-    std::clock_t start_ = std::clock();
+    double seconds_ = 0.0, processor_ = 0.0;
+    int calls_ = 0;
 };
 
 /// Time to find the visible geometry of a frame, the mean over a flight.
@@ -41,29 +50,52 @@ Json viewTimes(const Scene& scene, const Box& bounds, const Light& light) {
         request.width = 1920;
         request.height = 1080;
         request.lights = {light};
-        makeFrameView(scene, request, bounds);
+        times.add([&] { makeFrameView(scene, request, bounds); });
     }
-    return times.per(frames);
+    return times.mean();
 }
 
-/// The same for bounding the layers around a light that is elsewhere each time, and the largest
-/// bound found.
-Json layersOf(const Scene& scene, const Box& bounds, const Light& light) {
-    LayerBound bound;
-    std::size_t most = 0, groups = 0;
-    Times times;
+/// Times of bounding the layers around a light that is elsewhere each time, and the largest bounds
+/// found.
+class LayerTimes {
+  public:
+    template <class Bound>
+    void add(const Bound& bound) {
+        LayerBound found;
+        times_.add([&] { found = bound(); });
+        most_ = std::max(most_, found.most);
+        groups_ = std::max(groups_, found.groupCount);
+    }
+    Json json() const {
+        Json told = times_.mean();
+        told["most"] = most_;
+        told["groups"] = groups_;
+        return told;
+    }
+
+  private:
+    Times times_;
+    std::size_t most_ = 0, groups_ = 0;
+};
+
+/// Adds to `told` the times for a light: of the first search, of later ones, and by triangles.
+void addLayers(const LoadedScene& loaded, const Box& bounds, const std::string& name,
+               const Light& light, Json& told) {
+    LayerSearch search;
+    LayerTimes first, later, byTriangles;
+    const LayerCasters casters = loaded.layerCasters();
+    first.add([&] { return search.bound(casters, light, stencilLimit); });
     for (int turn = 0; turn < turns; ++turn) {
         const double step = 0.003 * turn * (light.position.w != 0.0 ? bounds.diagonal() : 1.0);
-        bound =
-            boundLayers(scene, false, light.at(light.position + glm::dvec4(step, 0.0, -step, 0.0)),
-                        stencilLimit);
-        most = std::max(most, bound.most);
-        groups = std::max(groups, bound.groupCount);
+        const Light moved = light.at(light.position + glm::dvec4(step, 0.0, -step, 0.0));
+        later.add([&] { return search.bound(casters, moved, stencilLimit); });
+        byTriangles.add([&] {
+            return boundByTriangles(loaded.scene, casters.castMasked, moved, stencilLimit);
+        });
     }
-    Json told = times.per(turns);
-    told["most"] = most;
-    told["groups"] = groups;
-    return told;
+    told["first"][name] = first.json();
+    told["layers"][name] = later.json();
+    told["by_triangles"][name] = byTriangles.json();
 }
 
 Json measured(const std::string& path) {
@@ -80,7 +112,7 @@ Json measured(const std::string& path) {
                  {"triangles", loaded.scene.triangleCount()},
                  {"view", viewTimes(loaded.scene, bounds, lights[0].second)}};
     for (const auto& [name, light] : lights)
-        told["layers"][name] = layersOf(loaded.scene, bounds, light);
+        addLayers(loaded, bounds, name, light, told);
     return told;
 }
 

@@ -18,11 +18,21 @@ def table(scenes):
         f"layers: {light}" for light in lights) + " |", "|" + " --- |" * (3 + len(lights))]
     rows = []
     for of in scenes:
-        parts = [of["view"]] + [of["layers"][light] for light in lights]
-        rows.append([part[key] for part in parts for key in ("ms", "processor_ms")])
+        rows.append(times([of["view"]] + [of["layers"][light] for light in lights]))
         lines.append(f"| {NAMES[of['scene']]} | {of['triangles']:,} | " + pairs(rows[-1]) + " |")
-    means = [mean(column) for column in zip(*rows)]
-    return "\n".join(lines + ["| geometric mean | | " + pairs(means) + " |"])
+    lines.append("| geometric mean | | " + pairs(means(rows)) + " |")
+    for name, key in (("a light's first search", "first"), ("by triangles", "by_triangles")):
+        rows = [times(of[key][light] for light in lights) for of in scenes]
+        lines.append(f"| geometric mean, {name} | | | " + pairs(means(rows)) + " |")
+    return "\n".join(lines)
+
+
+def times(parts):
+    return [part[key] for part in parts for key in ("ms", "processor_ms")]
+
+
+def means(rows):
+    return [mean(column) for column in zip(*rows)]
 
 
 def pairs(values):

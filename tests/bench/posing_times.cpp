@@ -3,7 +3,7 @@
 // milliseconds, medians over all frames.
 #include "src/gl/headless_context.hpp"
 #include "src/scene/pose.hpp"
-#include "src/shadow/layers/layer_bound.hpp"
+#include "src/shadow/layers/layer_search.hpp"
 #include "src/shadow/silhouette/silhouette_list.hpp"
 #include "src/viewer/viewer.hpp"
 
@@ -50,6 +50,7 @@ struct Stages {
 /// Posing and the stages that depend on it, without a GL.
 Json stagesOf(LoadedScene loaded, const Animation& animation) {
     Stages stages;
+    LayerSearch layers;
     for (int frame = 0; frame < frames; ++frame) {
         const double seconds = std::fmod(frame / framesPerSecond, animation.duration);
         Stopwatch watch;
@@ -71,7 +72,7 @@ Json stagesOf(LoadedScene loaded, const Animation& animation) {
             listSilhouettes(shadow, LightFacings(shadow), track.ball(), 23, list);
         }
         stages.add("silhouettes_ms", watch.lap());
-        boundLayers(loaded.scene, false, Light{sun}, stencilLimit);
+        layers.bound(loaded.layerCasters(), Light{sun}, stencilLimit);
         stages.add("layers_ms", watch.lap());
     }
     return stages.json();

@@ -1,4 +1,4 @@
-#include "src/shadow/layers/layer_bound.hpp"
+#include "src/shadow/layers/layer_search.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
 
@@ -19,6 +19,11 @@ Scene stack(int sheets) {
         builder.quad({-1, y, 1}, {1, y, 1}, {1, y, -1}, {-1, y, -1});
     }
     return builder.scene();
+}
+
+LayerBound boundOf(const Scene& scene, const Light& light, std::size_t limit) {
+    const auto records = buildPlanePairs(scene, false);
+    return boundLayers({scene, records}, light, limit);
 }
 
 /// Number of each group's triangles on the line from the light through a point; for a sun, on the
@@ -56,7 +61,7 @@ std::size_t most(const std::vector<std::size_t>& counts) {
 }
 
 TEST(LayerBound, FewTrianglesNeedNoGroups) {
-    const LayerBound bound = boundLayers(stack(100), false, test::pointLight({0, 9, 0}), 255);
+    const LayerBound bound = boundOf(stack(100), test::pointLight({0, 9, 0}), 255);
     EXPECT_EQ(bound.groupCount, 1u);
     EXPECT_LE(bound.most, 255u);
 }
@@ -64,7 +69,7 @@ TEST(LayerBound, FewTrianglesNeedNoGroups) {
 TEST(LayerBound, IsNeverBelowTheTruth) {
     // A line from straight above meets one triangle of every sheet; along the diagonal two.
     for (const Light& light : {test::pointLight({0.3, 9, 0.1}), test::sun({0.1, 1, 0.2})}) {
-        const LayerBound bound = boundLayers(stack(300), false, light, 255);
+        const LayerBound bound = boundOf(stack(300), light, 255);
         EXPECT_GE(bound.most, 300u);
         EXPECT_GT(bound.groupCount, 1u);
         EXPECT_EQ(bound.groupOf.size(), 600u);
@@ -78,7 +83,7 @@ TEST(LayerBound, OneGroupHasNoMoreLayersThanTheLimit) {
     for (const int sheets : {256, 511}) {
         const Scene scene = stack(sheets);
         for (const Light& light : {test::pointLight({0.3, 9, 0.1}), test::sun({0.01, 1, 0.02})}) {
-            const LayerBound bound = boundLayers(scene, false, light, 255);
+            const LayerBound bound = boundOf(scene, light, 255);
             const auto met =
                 trianglesMetByGroup(scene.batches.front(), light, {0.2, 0, 0.1}, bound);
             EXPECT_EQ(sum(met), static_cast<std::size_t>(sheets));
@@ -94,22 +99,21 @@ TEST(LayerBound, SheetsSideBySideAreNoLayers) {
         builder.triangle({x, 0, 0}, {x + 0.9f, 0, 0}, {x, 0, 1});
     }
     for (const Light& light : {test::pointLight({200, 50, 0.1}), test::sun({0.1, 1, 0.2})})
-        EXPECT_EQ(boundLayers(builder.scene(), false, light, 255).groupCount, 1u);
+        EXPECT_EQ(boundOf(builder.scene(), light, 255).groupCount, 1u);
 }
 
 TEST(LayerBound, ALightAmongTheTrianglesIsBoundedToo) {
-    const LayerBound bound =
-        boundLayers(stack(1000), false, test::pointLight({0.2, 5.005, 0.1}), 255);
+    const LayerBound bound = boundOf(stack(1000), test::pointLight({0.2, 5.005, 0.1}), 255);
     EXPECT_GE(bound.most, 500u);
     EXPECT_GE(bound.groupCount, 2u);
 }
 
 TEST(LayerBound, MoreGroupsThanAreWorthItAreNone) {
     const Light light = test::sun({0, 1, 0});
-    const LayerBound many = boundLayers(stack(1500), false, light, 50);
+    const LayerBound many = boundOf(stack(1500), light, 50);
     EXPECT_GE(many.groupCount, 30u);
     EXPECT_FALSE(many.mayOverflow);
-    const LayerBound tooMany = boundLayers(stack(6000), false, light, 50);
+    const LayerBound tooMany = boundOf(stack(6000), light, 50);
     EXPECT_TRUE(tooMany.mayOverflow);
     EXPECT_EQ(tooMany.groupCount, 1u);
     EXPECT_TRUE(tooMany.groupOf.empty());
@@ -132,24 +136,27 @@ TEST(LayerBound, NoLineMeetsMoreTrianglesThanItSays) {
     }
     const Scene scene = builder.scene();
     const Batch& batch = scene.batches.front();
+    const auto records = buildPlanePairs(scene, false);
     for (const Light& light : {test::pointLight({0.1, 0.2, 0.05}), test::pointLight({9, 4, 2}),
                                test::sun({0.3, 1, 0.2})}) {
         // Only the grid, then closer looks where it is too coarse, then groups.
         for (const std::size_t limit : {1000u, 20u, 5u}) {
-            const LayerBound bound = boundLayers(scene, false, light, limit);
-            std::size_t mostMet = 0, mostOfOneGroup = 0;
-            for (int i = 0; i < 3000; ++i) {
-                const auto met =
-                    trianglesMetByGroup(batch, light, glm::dvec3(vector(around)), bound);
-                mostMet = std::max(mostMet, sum(met));
-                mostOfOneGroup = std::max(mostOfOneGroup, most(met));
+            for (const LayerBound& bound : {boundLayers({scene, records}, light, limit),
+                                            boundByTriangles(scene, false, light, limit)}) {
+                std::size_t mostMet = 0, mostOfOneGroup = 0;
+                for (int i = 0; i < 3000; ++i) {
+                    const auto met =
+                        trianglesMetByGroup(batch, light, glm::dvec3(vector(around)), bound);
+                    mostMet = std::max(mostMet, sum(met));
+                    mostOfOneGroup = std::max(mostOfOneGroup, most(met));
+                }
+                EXPECT_LE(mostMet, bound.most);
+                EXPECT_GE(mostMet, 6u) << "the lines should meet something";
+                if (!bound.mayOverflow) {
+                    EXPECT_LE(mostOfOneGroup, limit);
+                }
+                EXPECT_LT(bound.most, batch.geometry->indices.size() / 3);
             }
-            EXPECT_LE(mostMet, bound.most);
-            EXPECT_GE(mostMet, 6u) << "the lines should meet something";
-            if (!bound.mayOverflow) {
-                EXPECT_LE(mostOfOneGroup, limit);
-            }
-            EXPECT_LT(bound.most, batch.geometry->indices.size() / 3);
         }
     }
 }

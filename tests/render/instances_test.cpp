@@ -133,7 +133,7 @@ TEST(Instances, AreDrawnAsRepeatedMeshesAre) {
 TEST(Instances, ThatOverlapTooOftenComeInGroupsAsAWhole) {
     const Scene scene = stack(40);
     const Light above = sun({0, 1, 0});
-    const LayerBound bound = boundLayers(scene, false, above, stencilLimit);
+    const LayerBound bound = boundLayers(loadedOf(scene).layerCasters(), above, stencilLimit);
     ASSERT_GT(bound.groupCount, 1u);
     ASSERT_EQ(bound.groupOf.size(), 2u + 40 * 20);
     for (int place = 0; place < 40; ++place) {
@@ -160,7 +160,7 @@ TEST(Instances, GroupsOfThemShareTheirRecords) {
     for (const int half : {0, 1}) {
         const LoadedScene loaded = loadedOf(half == 0 ? stack(40) : repeated(stack(40)));
         FrameLight light{sun({0, 1, 0}), {}, true, {}};
-        light.layers = boundLayers(loaded.scene, false, light.light, stencilLimit);
+        light.layers = boundLayers(loaded.layerCasters(), light.light, stencilLimit);
         OverflowGroups groups;
         groups.upload(loaded, {light}, {});
         for (auto& group : *groups.of(light, VolumeLayout::planePairs))

@@ -86,7 +86,7 @@ inline std::uint64_t hashOf(const PlanePairShadow& shadow) {
     if (shadow.vertices) {
         hash.addAll(shadow.vertices->pairs);
         hash.addAll(shadow.vertices->singles);
-        hash.addAll(shadow.vertices->singlePlanes);
+        hash.addAll(shadow.singlePlanes);
         hash.addAll(shadow.vertices->caps);
     }
     return hash.value();

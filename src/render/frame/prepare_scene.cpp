@@ -2,6 +2,7 @@
 
 #include "src/scene/build_parts.hpp"
 #include "src/scene/shadow_facts.hpp"
+#include "src/shadow/layers/layer_search.hpp"
 #include "src/shadow/lights/light_range.hpp"
 #include "src/shadow/view/light_budget.hpp"
 
@@ -87,13 +88,13 @@ void makeLookups(GpuScene& scene, const LoadedScene& loaded, const FrameView& vi
 
 void boundCountedLayers(FrameView& view, const LoadedScene& loaded, const GpuScene& scene,
                         const ShadowPolicy& policy, bool pointsAreLights) {
+    LayerSearch search;
     for (FrameLight& of : view.lights) {
         const bool alone = pointsAreLights && !of.points.empty();
         const LightChoice choice =
             policy.choose(lightFactsOf(of), alone ? LookupFacts{} : lookupFactsOf(scene, of.light));
         if (choice.counted == Technique::volumes)
-            of.layers =
-                boundLayers(loaded.scene, loaded.settings.castMasked, of.counted(), stencilLimit);
+            of.layers = search.bound(loaded.layerCasters(), of.counted(), stencilLimit);
     }
 }
 

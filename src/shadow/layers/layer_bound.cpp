@@ -102,8 +102,8 @@ void assignGroups(const std::vector<TriangleIndices>& crowded, const Units& unit
 
 } // namespace
 
-LayerBound boundLayers(const Scene& scene, bool castMasked, std::span<const Light> lights,
-                       std::size_t limit) {
+LayerBound boundByTriangles(const Scene& scene, bool castMasked, std::span<const Light> lights,
+                            std::size_t limit) {
     LayerBound bound;
     bound.most = scene.triangleCount();
     if (bound.most <= limit) return bound;

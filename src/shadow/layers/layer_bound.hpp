@@ -29,14 +29,14 @@ struct LayerBound {
     bool mayOverflow = false;
 };
 
-/// Bounds the layers around each light by crowdedDirections(). Costs nothing for scenes of at most
-/// `limit` triangles. For several lights the bound holds for every line from any of them, and they
-/// share the groups.
-LayerBound boundLayers(const Scene& scene, bool castMasked, std::span<const Light> lights,
-                       std::size_t limit);
-inline LayerBound boundLayers(const Scene& scene, bool castMasked, const Light& light,
-                              std::size_t limit) {
-    return boundLayers(scene, castMasked, std::span(&light, 1), limit);
+/// Bounds the layers around each light by crowdedDirections(), and finds groups. Costs nothing for
+/// scenes of at most `limit` triangles. For several lights the bound holds for every line from any
+/// of them, and they share the groups. LayerSearch is faster where no groups are needed.
+LayerBound boundByTriangles(const Scene& scene, bool castMasked, std::span<const Light> lights,
+                            std::size_t limit);
+inline LayerBound boundByTriangles(const Scene& scene, bool castMasked, const Light& light,
+                                   std::size_t limit) {
+    return boundByTriangles(scene, castMasked, std::span(&light, 1), limit);
 }
 
 } // namespace edgeshade

@@ -3,12 +3,6 @@
 #include "src/shadow/geometry/polygon.hpp"
 
 namespace edgeshade {
-namespace {
-
-constexpr double roomToSpare = 0.999; // share of a face's half side
-
-} // namespace
-
 std::array<glm::dmat3, 6> directionFaces() {
     std::array<glm::dmat3, 6> faces;
     for (glm::length_t i = 0; i < 6; ++i) {
@@ -20,15 +14,6 @@ std::array<glm::dmat3, 6> directionFaces() {
         faces[static_cast<std::size_t>(i)] = face;
     }
     return faces;
-}
-
-int faceAround(const glm::dvec3& ray) {
-    const glm::dvec3 lengths = glm::abs(ray);
-    int axis = lengths.x >= lengths.y ? 0 : 1;
-    if (lengths.z > lengths[axis]) axis = 2;
-    const double reach = roomToSpare * lengths[axis];
-    if (!(lengths[(axis + 1) % 3] < reach && lengths[(axis + 2) % 3] < reach)) return -1;
-    return 2 * axis + (ray[axis] < 0.0 ? 1 : 0);
 }
 
 FacePolygon polygonOn(const glm::dmat3& face, const std::array<glm::dvec3, 3>& rays) {

@@ -13,7 +13,18 @@ namespace edgeshade {
 std::array<glm::dmat3, 6> directionFaces();
 
 /// The index in directionFaces() of the face that holds a ray with a margin; -1 if there is none.
-int faceAround(const glm::dvec3& ray);
+inline int faceAround(const glm::dvec3& ray) {
+    constexpr double roomToSpare = 0.999; // share of a face's half side
+    const glm::dvec3 lengths = glm::abs(ray);
+    int axis = lengths.x >= lengths.y ? 0 : 1;
+    double largest = std::max(lengths.x, lengths.y);
+    if (lengths.z > largest) axis = 2;
+    largest = std::max(largest, lengths.z);
+    const double reach = roomToSpare * largest;
+    const int others = (lengths.x < reach) + (lengths.y < reach) + (lengths.z < reach);
+    const double along = axis == 0 ? ray.x : axis == 1 ? ray.y : ray.z;
+    return others == 2 ? 2 * axis + (along < 0.0 ? 1 : 0) : -1;
+}
 
 /// A rectangle on a face that may contain a triangle; empty if low is above high.
 struct Outline {

@@ -105,7 +105,7 @@ void FrameView::divide(std::optional<int> count) {
 FrameView makeFrameView(const Scene& scene, bool castMasked, const FrameRequest& request) {
     FrameView view = makeFrameView(scene, request, worldBounds(scene));
     for (FrameLight& of : view.lights)
-        of.layers = boundLayers(scene, castMasked, of.counted(), stencilLimit);
+        of.layers = boundByTriangles(scene, castMasked, of.counted(), stencilLimit);
     return view;
 }
 

@@ -4,7 +4,7 @@
 
 namespace edgeshade {
 
-bool KeptLayers::fill(const Scene& scene, bool castMasked, std::vector<FrameLight>& lights) {
+bool KeptLayers::fill(const LayerCasters& casters, std::vector<FrameLight>& lights) {
     std::vector<Kept> kept;
     bool anyNew = false;
     for (FrameLight& of : lights) {
@@ -16,8 +16,7 @@ bool KeptLayers::fill(const Scene& scene, bool castMasked, std::vector<FrameLigh
         const bool known = found != kept_.end();
         if (!of.drawn && !known) continue; // not needed until it is drawn
         anyNew = anyNew || !known;
-        of.layers =
-            known ? found->layers : boundLayers(scene, castMasked, of.counted(), stencilLimit);
+        of.layers = known ? found->layers : search_.bound(casters, of.counted(), stencilLimit);
         kept.push_back(
             {of.light.position, of.light.range, of.light.extent, of.points.size(), of.layers});
     }

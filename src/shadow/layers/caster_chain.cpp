@@ -1,0 +1,132 @@
+#include "src/shadow/layers/caster_chain.hpp"
+
+#include "preprocess/volumes/clustering.hpp"
+#include "src/shadow/lights/light_range.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace edgeshade {
+namespace {
+
+/// Room around boxes for rays in double, as a share of the coordinates.
+constexpr double rayRoom = 1e-6;
+
+bool isReached(const ShadowCluster& cluster, const LightInBatch& light, double range) {
+    return !isBeyond(cluster.bounds, glm::dvec3(light.place), range + light.rounding);
+}
+
+bool casts(const CapRecord& cap) {
+    return cap.plane != glm::vec4(0.0f);
+}
+
+/// The facing of a record's triangle, without branches: nothing predicts them.
+int facingOf(const std::vector<std::int8_t>& facings, PlaneOf plane) {
+    const int negated = plane.negated() ? 1 : 0;
+    return (facings[plane.cap()] ^ -negated) + negated;
+}
+
+/// Appends without branches: each edge is overwritten by the next unless its weight isn't 0.
+class EdgeAppender {
+  public:
+    explicit EdgeAppender(std::vector<ChainEdge>& edges) : edges_(edges) {}
+
+    template <class WeightOf>
+    void append(const RecordRange& records, WeightOf weightOf) {
+        for (std::uint32_t first = records.first; first < records.end(); first += atOnce) {
+            const std::uint32_t end = std::min(first + atOnce, records.end());
+            if (edges_.size() < size_ + atOnce) edges_.resize(2 * size_ + atOnce);
+            for (std::uint32_t i = first; i < end; ++i) {
+                edges_[size_] = {i, weightOf(i)};
+                size_ += edges_[size_].weight != 0 ? 1 : 0;
+            }
+        }
+    }
+    /// Call this last.
+    void end() { edges_.resize(size_); }
+
+  private:
+    static constexpr std::uint32_t atOnce = 256; ///< records; few of them have an edge
+
+    std::vector<ChainEdge>& edges_;
+    std::size_t size_ = 0;
+};
+
+/// Calls use(cap) with each cap of the range whose facing is 0.
+template <class Use>
+void forUncertain(const std::vector<std::int8_t>& facings, const RecordRange& caps, Use use) {
+    const std::int8_t* const all = facings.data();
+    for (std::uint32_t cap = caps.first; cap < caps.end(); ++cap) {
+        const void* const zero = std::memchr(all + cap, 0, caps.end() - cap);
+        if (!zero) return;
+        cap = static_cast<std::uint32_t>(static_cast<const std::int8_t*>(zero) - all);
+        use(cap);
+    }
+}
+
+/// A ray, for tests of boxes.
+class BoxRay {
+  public:
+    BoxRay(const glm::dvec3& origin, const glm::dvec3& direction, double room)
+        : origin_(origin), room_(room) {
+        for (glm::length_t axis = 0; axis < 3; ++axis)
+            perStep_[axis] = 1.0 / (direction[axis] != 0.0 ? direction[axis] : 1e-300);
+    }
+
+    bool mayMeet(const Box& box) const {
+        const glm::dvec3 low = (box.low - room_ - origin_) * perStep_;
+        const glm::dvec3 high = (box.high + room_ - origin_) * perStep_;
+        const glm::dvec3 enter = glm::min(low, high), leave = glm::max(low, high);
+        const double first = std::max({enter.x, enter.y, enter.z, 0.0});
+        return !(first > std::min({leave.x, leave.y, leave.z}));
+    }
+
+  private:
+    glm::dvec3 origin_, perStep_;
+    double room_;
+};
+
+} // namespace
+
+void CasterChain::look(const LightInBatch& light, double range, std::vector<std::int8_t>& facings,
+                       SeenCasters& seen) const {
+    const PlanePairShadow& shadow = *shadow_;
+    facings_.find(light, facings);
+    seen.uncertain.clear();
+    EdgeAppender pairs(seen.pairs), singles(seen.singles);
+    for (const ShadowCluster& cluster : shadow.clusters) {
+        if (!isReached(cluster, light, range)) continue;
+        pairs.append(cluster.pairs, [&](std::uint32_t i) {
+            const auto& [plane0, plane1] = shadow.pairPlanes[i];
+            return facingOf(facings, plane0) - facingOf(facings, plane1);
+        });
+        singles.append(cluster.singles,
+                       [&](std::uint32_t i) { return facingOf(facings, shadow.singlePlanes[i]); });
+        forUncertain(facings, cluster.caps, [&](std::uint32_t cap) {
+            if (casts(shadow.caps[cap])) seen.uncertain.push_back(cap);
+        });
+    }
+    pairs.end();
+    singles.end();
+}
+
+std::vector<std::uint32_t> CasterChain::capsAlong(const LightInBatch& light,
+                                                  const glm::dvec3& direction, double range) const {
+    const BoxRay ray(glm::dvec3(light.place), direction,
+                     rayRoom * (light.length() + size()) + light.rounding);
+    std::vector<std::uint32_t> caps;
+    for (const ShadowCluster& cluster : shadow_->clusters) {
+        if (!isReached(cluster, light, range) || !ray.mayMeet(cluster.bounds)) continue;
+        for (std::uint32_t leaf = 0; leaf < cluster.leaves.count; ++leaf) {
+            if (!ray.mayMeet(shadow_->leaves[cluster.leaves.first + leaf])) continue;
+            const std::uint32_t first = cluster.caps.first + leaf * leafTriangles;
+            const std::uint32_t end = std::min(first + leafTriangles, cluster.caps.end());
+            for (std::uint32_t cap = first; cap < end; ++cap)
+                caps.push_back(cap);
+        }
+    }
+    return caps;
+}
+
+} // namespace edgeshade

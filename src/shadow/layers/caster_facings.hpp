@@ -1,0 +1,39 @@
+#pragma once
+
+#include "src/shadow/lights/light_in_batch.hpp"
+#include "src/shadow/silhouette/light_facings.hpp"
+
+namespace edgeshade {
+
+/// Classifies a batch's triangles by the side from which a light sees them, where that is certain
+/// for the triangle itself and not only for its plane of floats (docs/method.md, C48).
+class CasterFacings {
+  public:
+    /// Measures how far the planes are off their triangles. Linear in the caps. `shadow` must
+    /// outlive this.
+    explicit CasterFacings(const PlanePairShadow& shadow);
+
+    /// Sets `facings`, one per cap: 1 if the light is certainly before the triangle, -1 if it is
+    /// certainly behind; otherwise 0. Caps whose planes are equal bit for bit get the same number,
+    /// and those of opposite planes opposite ones.
+    void find(const LightInBatch& light, std::vector<std::int8_t>& facings) const;
+
+    /// The largest magnitude of a coordinate.
+    double size() const { return size_; }
+
+  private:
+    /// A cap whose plane is off by more than rounding to floats: its triangle is thin, or only
+    /// nearly flat with its neighbours.
+    struct Loose {
+        std::uint32_t cap;
+        double slope;  ///< the largest difference of the unit normals of plane and triangle
+        double offset; ///< the largest distance of the triangle from the plane
+    };
+
+    const PlanePairShadow* shadow_;
+    LightFacings facings_;
+    double size_ = 0.0;
+    std::vector<Loose> loose_;
+};
+
+} // namespace edgeshade

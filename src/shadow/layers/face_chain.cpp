@@ -1,0 +1,217 @@
+#include "src/shadow/layers/face_chain.hpp"
+
+#include "preprocess/base/prefetch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace edgeshade {
+namespace {
+
+/// Share of a face's half side to which segments are cut: beyond the face, so that rounding takes
+/// nothing from it.
+constexpr double faceCut = 1.001;
+
+/// Shares of a ray's length. A point of a triangle that is nearer to the light than this has no
+/// reliable place on a face; rounding of a point between two corners.
+constexpr double leastDistance = 0x1p-18, mixRounding = 0x1p-50;
+
+double largestOf(const glm::dvec3& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+/// Draws the edges and triangles of one batch.
+class BatchDrawing {
+  public:
+    BatchDrawing(const LightView& view, const RaysOfBatch& rays, std::vector<FaceChain>& faces)
+        : view_(view), rays_(rays), faces_(faces) {
+        nearest_.fill(view.directional ? 1.0 : INFINITY);
+        for (std::size_t face = 0; face < faces.size(); ++face) {
+            // A point of the chain is to the left of a counter-clockwise triangle's edges. A
+            // triangle that faces a sun is counter-clockwise on its plane, and one that faces a
+            // lamp is clockwise on a face with right-handed axes.
+            const bool clockwise = !view.directional && glm::determinant(view.faces[face]) > 0.0;
+            turn_[face] = clockwise != rays.mirrors ? 1 : -1;
+        }
+    }
+
+    /// `Record`: PairRecord or SingleRecord.
+    template <class Record>
+    void addEdges(const std::vector<ChainEdge>& edges, const std::vector<Record>& records) {
+        constexpr std::size_t ahead = 16;
+        for (std::size_t i = 0; i < edges.size(); ++i) {
+            if (i + ahead < edges.size()) prefetch(records[edges[i + ahead].record]);
+            const Record& record = records[edges[i].record];
+            addEdge(rays_.to(record.a), rays_.to(record.b), edges[i].weight);
+        }
+    }
+
+    void addUncertain(const std::array<glm::dvec3, 3>& corners) {
+        if (view_.directional) {
+            FacePolygon polygon;
+            for (const glm::dvec3& corner : corners)
+                polygon.add(glm::dvec2(corner));
+            return put(faces_[0], polygon);
+        }
+        Box box;
+        double farthest = 0.0;
+        for (const glm::dvec3& corner : corners) {
+            box.add(corner);
+            farthest = std::max(farthest, largestOf(corner));
+        }
+        const bool isPlaced =
+            box.distanceTo(glm::dvec3(0.0)) > leastDistance * farthest + 0x1p30 * rays_.rounding;
+        for (std::size_t face = 0; face < faces_.size(); ++face) {
+            if (!isPlaced) {
+                ++faces_[face].everywhere;
+                continue;
+            }
+            const FacePolygon polygon = polygonOn(view_.faces[face], corners);
+            if (polygon.count > 0 && !outlineOf(polygon.all()).misses(view_.wholeFace()))
+                put(faces_[face], polygon);
+        }
+    }
+
+    /// Call this last.
+    void addError() {
+        for (std::size_t face = 0; face < faces_.size(); ++face) {
+            const double error = 3.0 * rays_.rounding / nearest_[face];
+            faces_[face].error =
+                std::isfinite(error) ? std::max(faces_[face].error, error) : INFINITY;
+        }
+    }
+
+  private:
+    void addEdge(const glm::dvec3& a, const glm::dvec3& b, int weight) {
+        if (view_.directional) return put(0, glm::dvec2(a), glm::dvec2(b), weight);
+        const int face = faceAround(a);
+        if (face >= 0 && face == faceAround(b))
+            return project(static_cast<std::size_t>(face), onFace(face, a), onFace(face, b),
+                           weight);
+        for (int of = 0; of < 6; ++of)
+            addCut(of, onFace(of, a), onFace(of, b), weight);
+    }
+
+    /// A ray by a face's axes; its place on the face is (x, y) / z.
+    static glm::dvec3 onFace(int face, const glm::dvec3& ray) {
+        const double sign = face % 2 == 0 ? 1.0 : -1.0;
+        switch (face / 2) {
+        case 0:
+            return {ray.y, ray.z, sign * ray.x};
+        case 1:
+            return {ray.z, ray.x, sign * ray.y};
+        default:
+            return {ray.x, ray.y, sign * ray.z};
+        }
+    }
+
+    /// Adds the part of an edge within a face's cone. The edge may be partly behind the light.
+    void addCut(int face, const glm::dvec3& a, const glm::dvec3& b, int weight) {
+        double first = 0.0, last = 1.0;
+        for (const glm::dvec3& plane :
+             {glm::dvec3(1.0, 0.0, faceCut), glm::dvec3(-1.0, 0.0, faceCut),
+              glm::dvec3(0.0, 1.0, faceCut), glm::dvec3(0.0, -1.0, faceCut)}) {
+            const double atA = glm::dot(plane, a), atB = glm::dot(plane, b);
+            if (atA < 0.0 && atB < 0.0) return;
+            if (atA < 0.0)
+                first = std::max(first, atA / (atA - atB));
+            else if (atB < 0.0)
+                last = std::min(last, atA / (atA - atB));
+        }
+        if (!(first < last)) return;
+        const glm::dvec3 from = first > 0.0 ? a + first * (b - a) : a;
+        const glm::dvec3 to = last < 1.0 ? a + last * (b - a) : b;
+        const auto of = static_cast<std::size_t>(face);
+        const double depth = std::min(from.z, to.z);
+        const double mixed = mixRounding * (largestOf(a) + largestOf(b)) / depth;
+        faces_[of].error = depth > 0.0 ? std::max(faces_[of].error, 3.0 * mixed) : INFINITY;
+        if (depth > 0.0) project(of, from, to, weight);
+    }
+
+    void project(std::size_t face, const glm::dvec3& a, const glm::dvec3& b, int weight) {
+        nearest_[face] = std::min({nearest_[face], a.z, b.z});
+        put(face, glm::dvec2(a) * (1.0 / a.z), glm::dvec2(b) * (1.0 / b.z), weight);
+    }
+
+    void put(std::size_t of, const glm::dvec2& from, const glm::dvec2& to, int weight) {
+        FaceChain& face = faces_[of];
+        // Without a branch, as nothing predicts it.
+        const std::array<glm::dvec2, 2> ends{from, to};
+        const int down = from.y > to.y;
+        face.segments.push_back({ends[static_cast<std::size_t>(down)],
+                                 ends[static_cast<std::size_t>(1 - down)],
+                                 turn_[of] * weight * (1 - 2 * down)});
+        Outline& reached = face.reached;
+        reached.u0 = std::min({reached.u0, from.x, to.x});
+        reached.u1 = std::max({reached.u1, from.x, to.x});
+        reached.v0 = std::min({reached.v0, from.y, to.y});
+        reached.v1 = std::max({reached.v1, from.y, to.y});
+    }
+    static void put(FaceChain& face, const FacePolygon& polygon) {
+        face.uncertain.push_back(polygon);
+        face.reached.add(outlineOf(polygon.all()));
+    }
+
+    const LightView& view_;
+    const RaysOfBatch& rays_;
+    std::vector<FaceChain>& faces_;
+    std::array<int, 6> turn_{};       ///< by face: sign of an upward edge's weight
+    std::array<double, 6> nearest_{}; ///< by face: least depth of a segment's end
+};
+
+} // namespace
+
+RaysOfBatch::RaysOfBatch(const LightView& view, const glm::dmat4& worldFromBatch, double size)
+    : linear(worldFromBatch), offset(glm::dvec3(worldFromBatch[3]) - view.position),
+      mirrors(glm::determinant(linear) < 0.0) {
+    const glm::dvec3 place(worldFromBatch[3]);
+    if (view.directional) {
+        const glm::dmat3 axes =
+            glm::transpose(glm::dmat3(view.across, view.upward, glm::dvec3(0.0)));
+        linear = axes * linear;
+        offset = glm::dvec3(glm::dot(view.across, place), glm::dot(view.upward, place), 1.0);
+    }
+    double largest = 0.0;
+    for (glm::length_t i = 0; i < 3; ++i)
+        largest += largestOf(glm::dvec3(worldFromBatch[i]));
+    const double light = view.directional ? 0.0 : largestOf(view.position);
+    rounding = 0x1p-48 * (largest * size + largestOf(place) + light);
+}
+
+void drawChain(const LightView& view, const RaysOfBatch& rays, const CasterChain& chain,
+               const SeenCasters& seen, std::vector<FaceChain>& faces) {
+    BatchDrawing drawing(view, rays, faces);
+    drawing.addEdges(seen.pairs, chain.shadow().pairs);
+    drawing.addEdges(seen.singles, chain.shadow().singles);
+    for (const std::uint32_t cap : seen.uncertain) {
+        const CapRecord& of = chain.shadow().caps[cap];
+        drawing.addUncertain({rays.to(of.a), rays.to(of.b), rays.to(of.c)});
+    }
+    drawing.addError();
+}
+
+int trianglesAlong(const glm::dvec3& direction, const RaysOfBatch& rays, const CasterChain& chain,
+                   const std::vector<std::int8_t>& facings,
+                   const std::vector<std::uint32_t>& caps) {
+    int met = 0;
+    for (const std::uint32_t cap : caps) {
+        if (facings[cap] == 0) continue;
+        const CapRecord& of = chain.shadow().caps[cap];
+        const std::array<glm::dvec3, 3> corners{rays.to(of.a), rays.to(of.b), rays.to(of.c)};
+        // A triangle that faces the light runs clockwise around the ray.
+        const double sense = (facings[cap] > 0) != rays.mirrors ? -1.0 : 1.0;
+        bool misses = false;
+        for (std::size_t i = 0; i < 3 && !misses; ++i) {
+            const glm::dvec3 &p = corners[i], &q = corners[(i + 1) % 3];
+            const double side = sense * glm::dot(direction, glm::cross(p, q));
+            const double sizes = largestOf(p) + largestOf(q);
+            misses =
+                side < -16.0 * (rays.rounding + 0x1p-50 * sizes) * sizes * largestOf(direction);
+        }
+        met += misses ? 0 : 1;
+    }
+    return met;
+}
+
+} // namespace edgeshade

@@ -1,0 +1,117 @@
+#pragma once
+
+#include "src/shadow/layers/face_chain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace edgeshade {
+
+/// A rectangle on a light's face in equal cells. It bounds how many triangles lines through each
+/// cell meet: the winding number of the chain at the cell's lower left corner, and the most by
+/// which it grows across the edges that touch the cell (docs/method.md, C48). Call add() for all
+/// segments that touch the rectangle, then sum().
+class WindingGrid {
+  public:
+    /// Divides the rectangle, which must have an area, in 2^depth x 2^depth cells. `error`: as of
+    /// FaceChain.
+    WindingGrid(const Outline& part, int depth, double error);
+
+    /// Returns the index, row * side() + column, of the only cell that the segment may touch; -1 if
+    /// it may touch several or none.
+    int add(const FaceSegment& segment);
+    /// `start`: the count just below and to the left of the rectangle's lower left corner. It is
+    /// raised by the weights of segments that may be on either side of that corner.
+    void sum(int start);
+
+    int side() const { return side_; }
+    /// The count at a cell's lower left corner, for a chain that is bent by no more than rounding.
+    int corner(int row, int column) const { return cells_[at(row, column)].corner; }
+    /// No line through the cell meets more triangles.
+    int bound(int row, int column) const {
+        const Cell& cell = cells_[at(row, column)];
+        return cell.corner + cell.growth;
+    }
+    Outline cell(int row, int column) const;
+
+    /// Calls visit(row, first column, last column) for all cells that a segment may touch.
+    template <class Visit>
+    void forEachSpan(const FaceSegment& segment, Visit visit) const {
+        const Piece piece = inCells(segment);
+        if (!misses(piece)) forEachSpan(piece, piece.slope(), visit);
+    }
+
+  private:
+    struct Cell {
+        int corner = 0; ///< until sum(): the growth from the corner before
+        int growth = 0; ///< the most by which a count in the cell exceeds the corner's
+    };
+
+    /// A segment in cells, upwards.
+    struct Piece {
+        glm::dvec2 from, to;
+        double left, right; ///< least and largest x
+        int weight;
+
+        /// Horizontal cells per vertical cell; 0 if it is nearly level.
+        double slope() const;
+        /// Its x at a height between its ends.
+        double at(double y, double slope) const {
+            return std::clamp(from.x + (y - from.y) * slope, left, right);
+        }
+    };
+    Piece inCells(const FaceSegment& segment) const {
+        const glm::dvec2 from = (segment.from - low_) * perUnit_;
+        const glm::dvec2 to = (segment.to - low_) * perUnit_;
+        return {from, to, std::min(from.x, to.x), std::max(from.x, to.x), segment.weight};
+    }
+    bool misses(const Piece& piece) const {
+        const double end = side_ + rounding_;
+        return piece.to.y < -rounding_ || piece.from.y > end || piece.right < -rounding_ ||
+               piece.left > end;
+    }
+    template <class Visit>
+    void forEachSpan(const Piece& piece, double slope, Visit visit) const;
+    void addCrossings(const Piece& piece, double slope);
+    void addGrowth(const Piece& piece, double slope);
+
+    std::size_t at(int row, int column) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(side_) +
+               static_cast<std::size_t>(column);
+    }
+    int place(double cells) const {
+        return static_cast<int>(std::clamp(cells, 0.0, static_cast<double>(side_ - 1)));
+    }
+
+    int side_;
+    glm::dvec2 low_, perUnit_; ///< its first corner, and cells per unit
+    double rounding_;          ///< distance from a segment to its exact place, in cells
+    int atStart_ = 0;          ///< weights of segments next to the first corner
+    /// By row: how much larger the count to the left of the rectangle is than in the row below.
+    std::vector<int> border_;
+    std::vector<Cell> cells_; ///< row by row
+};
+
+template <class Visit>
+void WindingGrid::forEachSpan(const Piece& piece, double slope, Visit visit) const {
+    const int bottom = place(piece.from.y - rounding_), top = place(piece.to.y + rounding_);
+    if (bottom == top || slope == 0.0) {
+        const int left = place(piece.left - rounding_), right = place(piece.right + rounding_);
+        for (int row = bottom; row <= top; ++row)
+            visit(row, left, right);
+        return;
+    }
+    const double slack = rounding_ * (1.0 + std::abs(slope));
+    double below = piece.at(std::max<double>(bottom, piece.from.y), slope);
+    for (int row = bottom; row <= top; ++row) {
+        const double above = piece.at(std::clamp<double>(row + 1, piece.from.y, piece.to.y), slope);
+        const double left = std::max(std::min(below, above) - slack, piece.left);
+        const double right = std::min(std::max(below, above) + slack, piece.right);
+        below = above;
+        if (right < -rounding_ || left > side_ + rounding_) continue;
+        visit(row, place(left - rounding_), place(right + rounding_));
+    }
+}
+
+} // namespace edgeshade

@@ -1,0 +1,296 @@
+#include "src/scene/load.hpp"
+#include "src/shadow/layers/layer_search.hpp"
+#include "tests/lab/line_counts.hpp"
+#include "tests/support/generated_meshes.hpp"
+#include "tests/support/hard_lights.hpp"
+#include "tests/support/headless.hpp"
+#include "tests/support/lights.hpp"
+#include "tests/support/scene_builder.hpp"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+namespace edgeshade {
+namespace {
+
+using test::LineCounts;
+using test::Random;
+using test::SceneBuilder;
+using test::Soup;
+
+constexpr std::size_t anyLimit = 100'000;
+
+Batch batchOf(const Soup& soup, const glm::dmat4& worldFromBatch) {
+    SceneBuilder builder;
+    for (std::size_t i = 0; i < soup.indices.size(); i += 3)
+        builder.triangle(soup.positions[soup.indices[i]], soup.positions[soup.indices[i + 1]],
+                         soup.positions[soup.indices[i + 2]]);
+    Batch batch = builder.scene().batches.front();
+    batch.worldFromBatch = worldFromBatch;
+    return batch;
+}
+
+Scene sceneOf(const Soup& soup, const glm::dmat4& worldFromBatch = glm::dmat4(1.0)) {
+    Scene scene = SceneBuilder().scene();
+    scene.batches = {batchOf(soup, worldFromBatch)};
+    return scene;
+}
+
+/// Random triangles, some of them large, thin, doubled or flipped.
+Soup randomTriangles(Random& random, int count) {
+    Soup soup;
+    const auto add = [&](const glm::dvec3& corner) {
+        soup.indices.push_back(static_cast<std::uint32_t>(soup.positions.size()));
+        soup.positions.emplace_back(corner);
+    };
+    for (int i = 0; i < count; ++i) {
+        const glm::dvec3 a = random.inCube();
+        const double size = random.below(5) == 0 ? 2.0 : 0.4;
+        glm::dvec3 b = a + size * random.inCube(), c = a + size * random.inCube();
+        if (random.below(8) == 0) c = glm::mix(a, b, 0.3) + 1e-7 * random.inCube();
+        for (const glm::dvec3& corner : {a, b, c})
+            add(corner);
+        if (random.below(6) == 0)
+            for (const glm::dvec3& corner : {a, random.below(2) == 0 ? b : c, c})
+                add(corner);
+        if (random.below(6) == 0)
+            for (const glm::dvec3& corner : {b, a, c})
+                add(corner);
+    }
+    return soup;
+}
+
+/// Sheets of eight quads each.
+Scene sheets(int count) {
+    SceneBuilder builder;
+    for (int i = 0; i < count; ++i)
+        for (int part = 0; part < 8; ++part) {
+            const float y = 0.01f * static_cast<float>(i), x = 0.25f * static_cast<float>(part);
+            builder.quad({x, y, 1}, {x + 0.25f, y, 1}, {x + 0.25f, y, -1}, {x, y, -1});
+        }
+    return builder.scene();
+}
+
+/// Meshes of every kind.
+Soup anyMesh(Random& random) {
+    const auto size = static_cast<std::size_t>(40 + random.below(160));
+    switch (random.below(4)) {
+    case 0:
+        return test::hillyGrid(size);
+    case 1:
+        return test::manyBoxes(size);
+    case 2:
+        return test::tangle(size);
+    default:
+        return randomTriangles(random, static_cast<int>(size / 2));
+    }
+}
+
+/// A light as hardLights() gives it for a mesh, in the world.
+Light lightAt(const glm::vec4& inBatch, const glm::dmat4& worldFromBatch) {
+    Light light;
+    light.position = worldFromBatch * glm::dvec4(inBatch);
+    return light;
+}
+
+/// Searches with limits from just below the truth on. Returns the number of bounds shown.
+int expectNoneBelow(std::size_t truth, const Scene& scene, const Light& light) {
+    const auto records = buildPlanePairs(scene, false);
+    const LayerCasters casters{scene, records};
+    LayerSearch search;
+    int shown = 0;
+    for (const std::size_t limit : {truth - 1, truth, truth + 2, 3 * truth + 5, anyLimit}) {
+        if (truth == 0 && limit == truth - 1) continue;
+        const auto most = search.bySilhouettes(casters, light, limit);
+        if (!most) continue;
+        ++shown;
+        EXPECT_GE(*most, truth) << "limit " << limit;
+        EXPECT_LE(*most, limit);
+    }
+    return shown;
+}
+
+TEST(LayerSearch, IsNeverBelowTheTruth) {
+    Random random(48);
+    int searches = 0, shown = 0;
+    for (int i = 0; i < 200; ++i) {
+        const Soup soup = anyMesh(random);
+        glm::dmat4 place(1.0);
+        if (i % 4 == 1) place = glm::scale(glm::dmat4(1.0), glm::dvec3(1.0, -0.5, 2.0));
+        if (i % 4 == 2) {
+            place = glm::translate(glm::dmat4(1.0), glm::dvec3(5e6, -3e5, 2e6));
+            place = glm::rotate(place, 1.0, glm::dvec3(1.0, 2.0, 3.0));
+            place[1] += 0.7 * place[0]; // sheared
+        }
+        if (i % 4 == 3) place = glm::scale(glm::dmat4(1.0), glm::dvec3(i % 8 == 3 ? 1e-9 : 1e9));
+        const Scene scene = sceneOf(soup, place);
+        const WeldedMesh mesh = weld(soup.positions, soup.indices);
+        for (const glm::vec4& inBatch : test::hardLights(mesh, 6, static_cast<unsigned>(i))) {
+            SCOPED_TRACE(testing::Message() << "mesh " << i << ", light " << searches % 6);
+            const Light light = lightAt(inBatch, place);
+            const std::size_t truth = LineCounts(scene, false, light, 48).most();
+            shown += expectNoneBelow(truth, scene, light);
+            ++searches;
+        }
+    }
+    // Two or three of the five limits are high enough to be shown.
+    EXPECT_GT(shown, 2 * searches);
+}
+
+TEST(LayerSearch, CountsMeshesOnceWhereverTheyAre) {
+    Random random(5);
+    Scene scene = sceneOf(test::manyBoxes(60));
+    const Batch first = scene.batches.front();
+    for (int i = 0; i < 30; ++i) {
+        Batch& place = scene.batches.emplace_back(first); // shares its geometry
+        place.worldFromBatch = glm::translate(glm::dmat4(1.0), 20.0 * random.inCube());
+        if (i % 3 == 0)
+            place.worldFromBatch = glm::scale(place.worldFromBatch, glm::dvec3(-1.0, 1.0, 1.0));
+    }
+    for (const Light& light :
+         {test::sun({0.3, 1, 0.2}), test::pointLight({3, 2, 1}), test::pointLight({60, 80, 40})}) {
+        const std::size_t truth = LineCounts(scene, false, light, 200).most();
+        EXPECT_GE(truth, 6u);
+        EXPECT_GE(expectNoneBelow(truth, scene, light), 2);
+    }
+}
+
+TEST(LayerSearch, HiddenBatchesDoNotCount) {
+    Scene scene = sceneOf(test::manyBoxes(300));
+    scene.batches.push_back(scene.batches.front());
+    scene.batches.back().hidden = true;
+    scene.batches.back().worldFromBatch = glm::dmat4(0.0);
+    const auto records = buildPlanePairs(scene, false);
+    const Scene alone = sceneOf(test::manyBoxes(300));
+    const Light light = test::sun({0.3, 1, 0.2});
+    EXPECT_EQ(LayerSearch().bySilhouettes({scene, records}, light, anyLimit),
+              LayerSearch().bySilhouettes({alone, buildPlanePairs(alone, false)}, light, anyLimit));
+}
+
+TEST(LayerSearch, CastersBeyondALampsRangeDoNotCount) {
+    Scene scene = sheets(20);
+    scene.batches.push_back(sheets(300).batches.front());
+    scene.batches.back().worldFromBatch =
+        glm::translate(glm::dmat4(1.0), glm::dvec3(0.0, 100.0, 0.0));
+    const auto records = buildPlanePairs(scene, false);
+    Light lamp = test::pointLight({1.1, -3, 0.1});
+    EXPECT_FALSE(LayerSearch().bySilhouettes({scene, records}, lamp, 255));
+    lamp.range = 20.0;
+    EXPECT_EQ(LineCounts(scene, false, lamp, 100).most(), 20u);
+    const auto most = LayerSearch().bySilhouettes({scene, records}, lamp, 255);
+    ASSERT_TRUE(most);
+    EXPECT_GE(*most, 20u);
+    EXPECT_LE(*most, 60u);
+}
+
+// Bumps of a sheet that is taken for flat turn towards the light and away from it, and the sheet
+// has one facing.
+TEST(LayerSearch, SheetsTakenForFlatCountAsTheyAre) {
+    Soup soup;
+    for (int layer = 0; layer < 30; ++layer) {
+        const Soup sheet = test::hillyGrid(200);
+        const auto first = static_cast<std::uint32_t>(soup.positions.size());
+        for (const glm::vec3& p : sheet.positions)
+            soup.positions.push_back(p + glm::vec3(0.0f, 0.01f * static_cast<float>(layer), 0.0f));
+        for (const std::uint32_t index : sheet.indices)
+            soup.indices.push_back(first + index);
+    }
+    const Scene scene = sceneOf(soup);
+    const auto records = buildPlanePairs(scene, false, 40.0);
+    Random random(3);
+    int shown = 0;
+    for (int i = 0; i < 20; ++i) {
+        const Light light = test::sun({random.uniform(-1, 1), 0.3, random.uniform(-1, 1)});
+        const std::size_t truth = LineCounts(scene, false, light, 100).most();
+        for (const std::size_t limit : {truth - 1, 2 * truth, anyLimit}) {
+            const auto most = LayerSearch().bySilhouettes({scene, records}, light, limit);
+            if (!most) continue;
+            ++shown;
+            EXPECT_GE(*most, truth);
+        }
+    }
+    EXPECT_GE(shown, 20);
+}
+
+// Two triangles meet at a sheet's diagonal, which is no silhouette.
+TEST(LayerSearch, GroupsAreMadeOnlyWhereTheTruthAsksForThem) {
+    for (const int count : {100, 250, 300}) {
+        const Scene scene = sheets(count);
+        const auto records = buildPlanePairs(scene, false);
+        for (const Light& light : {test::pointLight({1.3, 9, 0.1}), test::sun({0.1, 1, 0.2}),
+                                   test::pointLight({1.5, 0.333, 0.1})}) {
+            SCOPED_TRACE(count);
+            const LayerBound bound = boundLayers({scene, records}, light, 255);
+            const std::size_t truth = LineCounts(scene, false, light, 60).most();
+            EXPECT_GE(bound.most, truth);
+            EXPECT_EQ(bound.groupCount > 1, truth > 255);
+            EXPECT_EQ(bound.groupOf.empty(), truth <= 255);
+        }
+    }
+}
+
+TEST(LayerSearch, GroupsAreThoseOfTriangles) {
+    const Scene scene = sheets(280);
+    const auto records = buildPlanePairs(scene, false);
+    const std::vector<Light> lights{test::pointLight({1.5, 0.01, 0.1}), test::sun({0.1, 1, 0.2})};
+    const LayerBound bound = boundLayers({scene, records}, lights, 255);
+    const LayerBound byTriangles = boundByTriangles(scene, false, lights, 255);
+    EXPECT_GT(bound.groupCount, 1u);
+    EXPECT_EQ(bound.groupOf, byTriangles.groupOf);
+    EXPECT_EQ(bound.most, byTriangles.most);
+}
+
+TEST(LayerSearch, SeveralLightsHaveTheLargestBound) {
+    const Scene scene = sheets(200);
+    const auto records = buildPlanePairs(scene, false);
+    const std::vector<Light> lights{test::pointLight({0.3, 9, 0.1}), test::sun({1, 0.01, 0.2})};
+    std::size_t most = 0;
+    for (const Light& light : lights)
+        most = std::max(most, boundLayers({scene, records}, light, 255).most);
+    EXPECT_EQ(boundLayers({scene, records}, lights, 255).most, most);
+}
+
+// A new pose has new records, perhaps at the address of earlier ones.
+TEST(LayerSearch, KeepsNothingOfRecordsThatAreGone) {
+    LayerSearch search;
+    for (const int count : {150, 40, 220, 90}) {
+        const Scene scene = sheets(count);
+        const auto records = buildPlanePairs(scene, false);
+        const auto most = search.bySilhouettes({scene, records}, test::sun({0.1, 1, 0.2}), 255);
+        ASSERT_TRUE(most);
+        EXPECT_GE(*most, static_cast<std::size_t>(count));
+        EXPECT_LE(*most, 2 * static_cast<std::size_t>(count) + 10);
+    }
+}
+
+TEST(LayerSearch, ModelsNeedNoGroups) {
+    if (!std::filesystem::is_directory(EDGESHADE_SHARED_SCENES))
+        GTEST_SKIP() << EDGESHADE_SHARED_SCENES << " is not there, so no bounds of its models";
+    for (const auto& entry : std::filesystem::directory_iterator(EDGESHADE_SHARED_SCENES)) {
+        if (entry.path().extension() != ".glb") continue;
+        SCOPED_TRACE(entry.path().stem());
+        const LoadedScene loaded = loadScene(entry.path(), std::nullopt);
+        const Box bounds = worldBounds(loaded.scene);
+        const double size = bounds.diagonal();
+        LayerSearch search;
+        for (const Light& light :
+             {test::sun({0.4, 1, 0.3}), test::sun({-0.9, 0.25, 0.35}), test::sun({0, 1, 0}),
+              test::pointLight(bounds.center() + size * glm::dvec3(0.3, 0.6, 0.2)),
+              test::pointLight(bounds.center() + 0.05 * size),
+              test::pointLight(glm::dvec3(
+                  loaded.scene.batches.front().worldFromBatch *
+                  glm::dvec4(loaded.scene.batches.front().geometry->positions.front(), 1.0)))}) {
+            const std::size_t truth = LineCounts(loaded.scene, false, light, 128).most();
+            EXPECT_GE(truth, 4u);
+            const auto most = search.bySilhouettes(loaded.layerCasters(), light, 255);
+            if (most)
+                EXPECT_GE(*most, truth);
+            else
+                EXPECT_EQ(light.position.x, 0.0) << "shown for lights in general position";
+            EXPECT_FALSE(search.bySilhouettes(loaded.layerCasters(), light, truth - 1));
+        }
+    }
+}
+
+} // namespace
+} // namespace edgeshade

@@ -1,0 +1,190 @@
+#include "src/shadow/layers/winding_grid.hpp"
+#include "tests/support/hard_lights.hpp"
+
+#include <gtest/gtest.h>
+
+namespace edgeshade {
+namespace {
+
+using test::Random;
+using Triangle2 = std::array<glm::dvec2, 3>;
+
+constexpr int latticeSide = 32;
+
+double area(const Triangle2& t) {
+    const glm::dvec2 b = t[1] - t[0], c = t[2] - t[0];
+    return b.x * c.y - b.y * c.x;
+}
+
+/// Counter-clockwise triangles between points of a lattice, of any size.
+std::vector<Triangle2> latticeTriangles(Random& random, int count) {
+    std::vector<Triangle2> triangles;
+    while (static_cast<int>(triangles.size()) < count) {
+        const int reach = random.below(3) == 0 ? latticeSide : 4;
+        const int x = random.below(latticeSide), y = random.below(latticeSide);
+        Triangle2 t;
+        for (glm::dvec2& corner : t)
+            corner = {std::min(x + random.below(reach), latticeSide),
+                      std::min(y + random.below(reach), latticeSide)};
+        if (area(t) < 0.0) std::swap(t[1], t[2]);
+        if (area(t) > 0.0) triangles.push_back(t);
+    }
+    return triangles;
+}
+
+/// The boundary of the triangles, edge by edge.
+std::vector<FaceSegment> boundaryOf(const std::vector<Triangle2>& triangles) {
+    std::vector<FaceSegment> segments;
+    for (const Triangle2& t : triangles)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const glm::dvec2 a = t[i], b = t[(i + 1) % 3];
+            // Left of an edge is inside.
+            segments.push_back(a.y <= b.y ? FaceSegment{a, b, -1} : FaceSegment{b, a, 1});
+        }
+    return segments;
+}
+
+int countAt(const std::vector<Triangle2>& triangles, const glm::dvec2& p) {
+    int count = 0;
+    for (const Triangle2& t : triangles)
+        count += area({t[0], t[1], p}) > 0.0 && area({t[1], t[2], p}) > 0.0 &&
+                 area({t[2], t[0], p}) > 0.0;
+    return count;
+}
+
+bool isNextToAnEdge(const std::vector<Triangle2>& triangles, const glm::dvec2& p) {
+    for (const Triangle2& t : triangles)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const glm::dvec2 a = t[i], along = t[(i + 1) % 3] - a;
+            const double share =
+                std::clamp(glm::dot(p - a, along) / glm::dot(along, along), 0.0, 1.0);
+            if (glm::distance(p, a + share * along) < 1e-9) return true;
+        }
+    return false;
+}
+
+WindingGrid filled(const Outline& outline, int depth, double error,
+                   const std::vector<FaceSegment>& segments, int start) {
+    WindingGrid grid(outline, depth, error);
+    for (const FaceSegment& segment : segments)
+        grid.add(segment);
+    grid.sum(start);
+    return grid;
+}
+
+/// Expects every count of places in a cell to be within its bound.
+void expectBounds(const WindingGrid& grid, const std::vector<Triangle2>& triangles,
+                  Random& random) {
+    for (int row = 0; row < grid.side(); ++row)
+        for (int column = 0; column < grid.side(); ++column) {
+            const Outline cell = grid.cell(row, column);
+            for (int i = 0; i < 6; ++i) {
+                const double u = random.uniform(0, 1), v = random.uniform(0, 1);
+                const glm::dvec2 p(glm::mix(cell.u0, cell.u1, u), glm::mix(cell.v0, cell.v1, v));
+                ASSERT_LE(countAt(triangles, p), grid.bound(row, column))
+                    << row << ", " << column << ": " << p.x << ", " << p.y;
+            }
+        }
+}
+
+TEST(WindingGrid, CountsExactlyAtCorners) {
+    Random random(1);
+    for (int round = 0; round < 60; ++round) {
+        const std::vector<Triangle2> triangles = latticeTriangles(random, 1 + round / 2);
+        const WindingGrid grid =
+            filled({0, latticeSide, 0, latticeSide}, 5, 0.0, boundaryOf(triangles), 0);
+        for (int row = 0; row < latticeSide; ++row)
+            for (int column = 0; column < latticeSide; ++column) {
+                if (isNextToAnEdge(triangles, {column, row})) continue;
+                ASSERT_EQ(grid.corner(row, column), countAt(triangles, {column, row}));
+            }
+    }
+}
+
+TEST(WindingGrid, NoCountInACellIsAboveItsBound) {
+    Random random(2);
+    for (int round = 0; round < 60; ++round) {
+        const std::vector<Triangle2> triangles = latticeTriangles(random, 1 + round);
+        const std::vector<FaceSegment> segments = boundaryOf(triangles);
+        for (const int depth : {0, 2, 4, 5})
+            expectBounds(filled({0, latticeSide, 0, latticeSide}, depth, 0.0, segments, 0),
+                         triangles, random);
+    }
+}
+
+/// Finer grids in all cells of a grid, each with its own segments alone.
+void expectFinerBounds(const WindingGrid& grid, double error,
+                       const std::vector<FaceSegment>& segments,
+                       const std::vector<Triangle2>& triangles, Random& random) {
+    const auto index = [&](int row, int column) {
+        return static_cast<std::size_t>(row * grid.side() + column);
+    };
+    std::vector<std::vector<FaceSegment>> own(index(grid.side(), 0));
+    for (const FaceSegment& segment : segments)
+        grid.forEachSpan(segment, [&](int row, int left, int right) {
+            for (int column = left; column <= right; ++column)
+                own[index(row, column)].push_back(segment);
+        });
+    for (int row = 0; row < grid.side(); ++row)
+        for (int column = 0; column < grid.side(); ++column)
+            expectBounds(filled(grid.cell(row, column), 2, error, own[index(row, column)],
+                                grid.corner(row, column)),
+                         triangles, random);
+}
+
+// Tenths are no doubles: corners, borders and vertices are in line, but for rounding.
+TEST(WindingGrid, CellsAreDividedWithTheirOwnSegmentsAlone) {
+    Random random(3);
+    for (int round = 0; round < 60; ++round) {
+        std::vector<Triangle2> triangles = latticeTriangles(random, 1 + round / 2);
+        for (Triangle2& t : triangles)
+            for (glm::dvec2& corner : t)
+                corner = 0.1 * corner + 0.7;
+        const std::vector<FaceSegment> segments = boundaryOf(triangles);
+        const Outline outline{0.7, 0.7 + 0.1 * latticeSide, 0.7, 0.7 + 0.1 * latticeSide};
+        const WindingGrid grid = filled(outline, 3, 0.0, segments, 0);
+        expectBounds(grid, triangles, random);
+        expectFinerBounds(grid, 0.0, segments, triangles, random);
+    }
+}
+
+// The vertices are known to an error that is a share of a cell.
+TEST(WindingGrid, BoundsHoldForAnyPlaceWithinTheError) {
+    Random random(4);
+    constexpr double error = 0.05;
+    for (int round = 0; round < 100; ++round) {
+        const std::vector<Triangle2> triangles = latticeTriangles(random, 1 + round / 3);
+        std::vector<Triangle2> placed = triangles;
+        std::map<std::pair<double, double>, glm::dvec2> known; // edges meet at vertices
+        for (Triangle2& t : placed)
+            for (glm::dvec2& corner : t) {
+                const glm::dvec2 off(random.uniform(-1, 1), random.uniform(-1, 1));
+                corner = known.try_emplace({corner.x, corner.y}, corner + 0.7 * error * off)
+                             .first->second;
+            }
+        const std::vector<FaceSegment> segments = boundaryOf(placed);
+        const Outline outline{-0.1, latticeSide, -0.1, latticeSide};
+        const WindingGrid grid = filled(outline, 4, error, segments, 0);
+        expectBounds(grid, triangles, random);
+        expectFinerBounds(grid, error, segments, triangles, random);
+    }
+}
+
+// The grid's purpose: a triangle's cells have its count, and a long edge touches few of them.
+TEST(WindingGrid, BoundsAreTightAwayFromEdges) {
+    const std::vector<Triangle2> triangles{{glm::dvec2(0.3, 0.2), {31.6, 0.4}, {0.7, 31.8}}};
+    const WindingGrid grid =
+        filled({0, latticeSide, 0, latticeSide}, 5, 0.0, boundaryOf(triangles), 0);
+    int full = 0, above = 0;
+    for (int row = 0; row < grid.side(); ++row)
+        for (int column = 0; column < grid.side(); ++column) {
+            full += grid.bound(row, column) >= 1;
+            above += grid.bound(row, column) > 1;
+        }
+    EXPECT_LE(above, 3); // where two edges meet
+    EXPECT_LE(full, latticeSide * latticeSide / 2 + 4 * latticeSide);
+    EXPECT_GE(full, latticeSide * latticeSide / 2);
+}
+
+} // namespace
+} // namespace edgeshade
