@@ -2,6 +2,7 @@
 // twice.
 #include "src/gl/headless_context.hpp"
 #include "src/scene/gpu_scene.hpp"
+#include "src/shadow/layers/layer_search.hpp"
 #include "tests/support/mask_case.hpp"
 #include "tests/support/scene_builder.hpp"
 
