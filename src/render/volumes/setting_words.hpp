@@ -1,7 +1,7 @@
 #pragma once
 
 #include "src/render/volumes/render_settings.hpp"
-#include "src/scene/build_parts.hpp"
+#include "src/settings/build_parts.hpp"
 
 #include <algorithm>
 #include <array>
