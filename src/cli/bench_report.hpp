@@ -22,14 +22,14 @@ bench::Setting toTask(const BenchSetting& setting);
 /// The flight that the program measures, or the camera that was typed, which stays where it is.
 std::function<Frustum(double)> flightFor(const ViewOptions& view, const Scene& scene);
 
-/// `--timing query|finish|processor`; nothing: the best.
-void addTimingOption(CLI::App& verb, std::optional<gl::Timing>& timing);
+/// Meanings of the words of `--timing`.
+inline const std::vector timings{gl::Timing::query, gl::Timing::finish, gl::Timing::processor};
 
 /// That figures of this device are those of a processor.
 std::string softwareWarning(const gl::Capabilities& device);
 
-/// "query", "finish" or "processor".
-const char* nameOf(gl::Timing timing);
+/// Its word in `--timing`.
+const std::string& nameOf(gl::Timing timing);
 
 /// A bar that says how long it will take.
 class Countdown {

@@ -9,7 +9,7 @@
 
 namespace edgeshade::cli {
 
-/// Whose lights a picture has where none were typed.
+/// The lights of a picture for which none were typed.
 enum class LightChoice {
     file,     ///< the file's; where it has none, as `fallback`
     fallback, ///< defaultLight()
@@ -30,6 +30,7 @@ struct LightOptions {
     ExtentOptions extents;
     SunOptions sun;
     std::optional<LightChoice> choice;
+    std::optional<double> range; ///< of the point lights that were typed, scene units
 
     /// Those, the sun by place and time before the others. Throws Error(usage) for too many.
     std::vector<Light> all() const;

@@ -9,7 +9,6 @@
 #include "src/gl/headless_context.hpp"
 #include "src/image/png.hpp"
 #include "src/render/accumulation/extended_lights.hpp"
-#include "src/render/accumulation/subpixels.hpp"
 #include "src/render/frame/light_methods.hpp"
 #include "src/render/frame/prepare_scene.hpp"
 #include "src/render/frame/volume_tint_pass.hpp"
@@ -34,8 +33,8 @@ struct RenderOptions : SceneOptions {
     bool mask = false;
     bool explain = false;
     DebugPicture debug = DebugPicture::none;
-    int samples = 0;
-    std::size_t subpixels = 1;
+    int samples{};
+    std::size_t subpixels{};
     bool shadeSamples = false;
 };
 
@@ -137,10 +136,10 @@ nlohmann::ordered_json lightSamplesJson(const FrameView& view) {
 void requireFitting(const RenderOptions& options, const std::vector<Light>& lights) {
     requireExtents(options.settings, lights);
     requireMapKind(options.settings, lights);
-    if (options.settings.render.countedPoints() == 0 && !options.settings.extentOptions.empty())
-        throw Error(ExitStatus::usage, options.settings.extentOptions.front() +
-                                           " does not go with --soft, which looks up a map "
-                                           "of the light's centre alone.");
+    const std::string option = extentOption(options.settings);
+    if (options.settings.render.countedPoints() == 0 && !option.empty())
+        throw Error(ExitStatus::usage, option + " does not go with --soft, which looks up a map "
+                                                "of the light's centre alone.");
     const bool extended = options.view.lights.extents.typed();
     if ((extended || options.subpixels > 1) && options.debug == DebugPicture::volumes)
         throw Error(ExitStatus::usage, "--debug volumes shows those of one light without an extent "
@@ -253,37 +252,19 @@ void addRenderCommand(CLI::App& program) {
     const auto options = std::make_shared<RenderOptions>();
     verb->add_option("FILE", options->input, "The scene, .gltf or .glb, packed or not")->required();
     verb->add_option("OUT", options->output, "The picture, .png")->required();
-    verb->add_flag(
-        "--mask", options->mask,
-        "The lit mask of the first light: white lit, black in shadow, of a light with an "
-        "extent the share of its points that is seen, clear where nothing is");
-    verb->add_option("--smooth", options->subpixels,
-                     "Antialiasing by so many pictures, each sampled elsewhere within the pixels, "
-                     "shadows' boundaries included, 1 to " +
-                         std::to_string(mostSubpixels) + " (1)")
-        ->check(CLI::Range(std::size_t{1}, mostSubpixels))
-        ->type_name("N");
-    verb->add_flag("--shade-samples", options->shadeSamples,
-                   "Lights with an extent shade by each of their points, not by their centre and "
-                   "how much of them is seen");
-    verb->add_flag("--explain", options->explain,
-                   "Say what of the shadow volumes is drawn, how, and why, and what is left out");
-    addChoice(
-        *verb, "--debug", options->debug,
-        {{"none", DebugPicture::none},
-         {"volumes", DebugPicture::volumes},
-         {"primitive-map", DebugPicture::primitiveMap}},
-        "Tint the picture by what is drawn of the shadow volumes, and say what --explain says: "
-        "sides orange, with caps red, counting twice green; caps blue; or by what primitive maps "
-        "hold: blue where a depth alone says dark, green to red the more triangles are asked "
-        "(none)");
+    verb->add_flag("--mask", options->mask);
+    addSetting(*verb, settings::smooth, options->subpixels);
+    verb->add_flag("--shade-samples", options->shadeSamples);
+    verb->add_flag("--explain", options->explain);
+    addWords(*verb, "--debug", options->debug,
+             std::vector{DebugPicture::none, DebugPicture::volumes, DebugPicture::primitiveMap});
     addSceneOptions(*verb, *options);
     addDrawOptions(*verb, options->settings);
-    addSamplesOption(*verb, options->samples);
-    addReportOption(*verb, options->report);
+    addNumber(*verb, "--samples", options->samples);
+    addText(*verb, "--report", options->report);
     verb->callback([options] {
         resolve(options->settings);
-        if (options->shadeSamples) options->settings.extentOptions.push_back("--shade-samples");
+        if (options->shadeSamples) options->settings.typed.insert("--shade-samples");
         RenderSettings& drawn = options->settings.render;
         drawn.tintPrimitives = options->debug == DebugPicture::primitiveMap;
         if (drawn.tintPrimitives && (options->mask || !drawn.looksUpPrimitives()))

@@ -33,7 +33,7 @@ void merge(const MergeOptions& options) {
 void addSunHoursMergeCommand(CLI::App& program) {
     CLI::App* verb = program.add_subcommand(
         "sunhours-merge",
-        "Join the parts of a run of sunhours, byte for byte what a whole run makes");
+        "Join the parts of a run of sunhours: the same bytes as those of a whole run");
     const auto options = std::make_shared<MergeOptions>();
     verb->add_option("OUT", options->files.picture, "The picture, .png")->required();
     verb->add_option("PARTS", options->parts, "All parts of the run, in any order")->required();

@@ -99,59 +99,23 @@ void tradeoff(const TradeoffOptions&) {
 
 void addTradeoffCommand(CLI::App& program) {
     CLI::App* verb = program.add_subcommand(
-        "tradeoff", "What every setting costs and what it gets wrong: a table, a plot, and the one "
-                    "setting to take");
+        "tradeoff",
+        "Weigh the time of each setting against its wrong pixels, and find the best one");
     const auto options = std::make_shared<TradeoffOptions>();
     verb->add_option("FILE", options->input, "The scene, .gltf or .glb, packed or not")->required();
-    verb->add_option("--plot", options->plot,
-                     "Draw time against wrong pixels, as .svg or .png by its ending")
-        ->type_name("OUT");
-    verb->add_option("--budget-ms", options->budgetMs,
-                     "Say which setting has the fewest wrong pixels within this time of a frame")
-        ->check(finite())
-        ->check(CLI::PositiveNumber)
-        ->type_name("MS");
-    verb->add_option("--max-wrong-percent", options->maxWrongPercent,
-                     "Say which setting is the fastest with no more wrong pixels than this, in "
-                     "percent of visible ones")
-        ->check(finite())
-        ->check(CLI::Range(0.0, 100.0))
-        ->type_name("P");
-    CLI::Option* frames =
-        verb->add_option(
-                "--frames", options->frames,
-                "Frames to time of what is not dominated early, 1 to 100000 (40, as far as "
-                "there is time)")
-            ->check(CLI::Range(1, 100000))
-            ->type_name("N");
-    CLI::Option* views =
-        verb->add_option("--views", options->views,
-                         "Views to count wrong pixels in, likewise, 1 to 1000 (16; with a camera "
-                         "of yours that one alone), those of compare")
-            ->check(CLI::Range(1, 1000))
-            ->type_name("N");
-    verb->add_option("--time-limit", options->timeLimit,
-                     "How long all of it may take, seconds (240). Frames and views that were typed "
-                     "are kept however long they take")
-        ->check(finite())
-        ->check(CLI::PositiveNumber)
-        ->type_name("SECONDS");
-    verb->add_option("--largest-map", options->largestMap,
-                     "Leave larger shadow maps out (8192; its cube takes 1.9 GB)")
-        ->check(CLI::Range(512, 8192))
-        ->type_name("N");
-    verb->add_option("--against", options->against,
-                     "Another setting to weigh too, e.g. shadows=map,map-size=3000 or "
-                     "caster-error=0.01; may be repeated")
-        ->type_name("SETTING")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    verb->add_flag("--light-moves", options->lightMoves,
-                   "Lights draw small circles while times are taken, so shadow maps are drawn anew "
-                   "for every frame; without, they are kept");
-    addTimingOption(*verb, options->timing);
+    addText(*verb, "--plot", options->plot);
+    addNumber(*verb, "--budget-ms", options->budgetMs);
+    addNumber(*verb, "--max-wrong-percent", options->maxWrongPercent);
+    CLI::Option* const frames = addNumber(*verb, "--frames", options->frames);
+    CLI::Option* const views = addNumber(*verb, "--views", options->views);
+    addNumber(*verb, "--time-limit", options->timeLimit);
+    addNumber(*verb, "--largest-map", options->largestMap);
+    addRepeated(*verb, "--against",
+                [options](const std::string& text) { options->against.push_back(text); });
+    verb->add_flag("--light-moves", options->lightMoves);
+    addWords(*verb, "--timing", options->timing, timings);
     addSceneOptions(*verb, *options);
-    addReportOption(*verb, options->report);
+    addText(*verb, "--report", options->report);
     verb->callback([options, frames, views] {
         options->framesTyped = frames->count() > 0;
         options->viewsTyped = views->count() > 0;

@@ -1,12 +1,13 @@
 #pragma once
 
+#include "src/settings/settings.hpp"
 #include "src/shadow/view/frustum.hpp"
 
 #include <cstdint>
 
 namespace edgeshade {
 
-inline constexpr std::size_t mostSubpixels = 256;
+inline constexpr std::size_t mostSubpixels = settings::smooth.domain.high;
 
 /// Where within its pixels the n-th of several pictures is sampled, from -1/2 to 1/2 of a pixel
 /// across and up; the first in the middle.

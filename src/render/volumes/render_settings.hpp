@@ -5,25 +5,14 @@
 #include "src/policy/shadow_policy.hpp"
 #include "src/render/shadow_map/shadow_map.hpp"
 #include "src/render/technique/rivals.hpp"
-#include "src/render/volumes/multiplicity_method.hpp"
+#include "src/scene/batch_volumes.hpp"
+#include "src/settings/choices.hpp"
 #include "src/shadow/primitive_map/primitive_map.hpp"
 
 #include <memory>
 #include <optional>
 
 namespace edgeshade {
-
-/// Which part of brute-force volumes is counted.
-enum class BruteForceCount {
-    zFail, ///< what is behind surfaces
-    zPass, ///< what is before them, and what of casters is before the near plane (ZP+)
-};
-
-/// Which plane-pair records are offered to the vertex shader, the judge of their multiplicity.
-enum class SilhouetteChoice {
-    all,
-    proposed, ///< those that may be silhouettes, see PotentialSilhouettes
-};
 
 /// How frames are drawn; fixed for a renderer, but for `ambient`, `exposure` and
 /// `background`.
@@ -33,7 +22,7 @@ struct RenderSettings {
     SilhouetteChoice silhouette = SilhouetteChoice::proposed; ///< of plane-pair records
     SidesLayout layout = SidesLayout::instanced;
     BruteForceCount count = BruteForceCount::zFail; ///< of brute-force volumes
-    std::size_t planes = 4; ///< where shadows are planar: onto how many, 1..mostShadowPlanes
+    std::size_t planes = 4; ///< where shadows are planar: onto how many, see settings::planes
     ShadowMapSettings map;  ///< where shadows are maps
     PrimitiveMapSettings primitiveMap; ///< where they are primitive maps
     bool tintPrimitives = false;       ///< show what texels of those hold

@@ -8,7 +8,7 @@ namespace edgeshade {
 /// Casters are projected onto the scene's largest planes, which no animation moves.
 class PlanarTechnique : public ShadowTechnique {
   public:
-    /// `planes`: how many, 1..mostShadowPlanes.
+    /// `planes`: how many, see settings::planes.
     explicit PlanarTechnique(std::size_t planes) : count_(planes) {}
 
     void prepareScene(const GpuScene& scene, const LoadedScene& loaded) override;
