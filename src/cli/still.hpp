@@ -26,16 +26,17 @@ struct StillTask {
 /// Whether a mask is more than lit or not.
 bool isGrey(const StillTask& task);
 
-/// What frame the task's n-th picture is. `like`: of another one, whose layers are the same; null:
-/// none, and its layers are left to boundCountedLayers().
-FrameView viewOf(const LoadedScene& loaded, const StillTask& task, std::size_t n,
-                 const FrameView* like = nullptr);
+/// The frame of the task's n-th picture. `tree`: the scene's. `like`: that of another one, whose
+/// layers are the same; null: none, and its layers are left to boundCountedLayers().
+FrameView viewOf(const LoadedScene& loaded, const SceneTree& tree, const StillTask& task,
+                 std::size_t n, const FrameView* like = nullptr);
 
 /// Draws it: RGBA, rows top to bottom. `first`: viewOf() of 0. The last picture is `renderer`'s.
 /// `progress` gets the share done. Throws Error(usage) for more masks than can be added up, and
 /// Error(unavailable) where lights can't be.
-std::vector<std::uint8_t> drawStill(const LoadedScene& loaded, const StillTask& task,
-                                    const FrameView& first, Renderer& renderer, GpuScene& scene,
+std::vector<std::uint8_t> drawStill(const LoadedScene& loaded, const SceneTree& tree,
+                                    const StillTask& task, const FrameView& first,
+                                    Renderer& renderer, GpuScene& scene,
                                     const gl::HeadlessContext& context,
                                     const std::function<void(double)>& progress);
 

@@ -81,7 +81,7 @@ class DrawFill {
     /// A triangle of a front cap, of a back cap, or of both.
     void addCorners(const VolumeDraw& draw, const glm::dvec3& a, const glm::dvec3& b,
                     const glm::dvec3& c, FillCost& cost) const {
-        const glm::dvec4 light(batch_.light), infinity(0, 0, 0, 1);
+        const glm::dvec4 light(batch_.light), atInfinity(0, 0, 0, 1);
         if (draw.faces != CapFaces::back) {
             // Moved to the far plane, nothing of it is before the near one.
             const FillCost front = meter_.of(
@@ -90,8 +90,8 @@ class DrawFill {
                 draw.alphaTested && !draw.cutoutsAlone && !draw.culled ? front.times(2.0) : front;
         }
         if (draw.faces != CapFaces::front)
-            cost += meter_.of({pushedTo(infinity, a, light), pushedTo(infinity, b, light),
-                               pushedTo(infinity, c, light)});
+            cost += meter_.of({pushedTo(atInfinity, a, light), pushedTo(atInfinity, b, light),
+                               pushedTo(atInfinity, c, light)});
     }
 
     const BatchPlan& batch_;
