@@ -143,8 +143,10 @@ class Renderer {
     /// Makes what the sum takes, and binds what it is made in.
     void prepareSum(const GpuScene& scene, const FrameView& view);
     void drawSlices(GpuScene& scene, const FrameView& view, StageClock* clock);
-    /// Plans the frame, and uploads what it draws.
-    FramePlan planned(GpuScene& scene, const FrameView& view, StageClock* clock);
+    /// Plans the frame into plan_, and uploads what it draws.
+    void planFrame(GpuScene& scene, const FrameView& view, StageClock* clock);
+    void planFrame(const FrameTask& task, GpuScene& scene, const FrameView& view,
+                   StageClock* clock);
     CasterGroupInSlice castersOf(const FrameView& view, const DepthSlice& slice, std::size_t light,
                                  std::size_t group) const;
     /// Calls use(technique, plan, casters) for every stencil of a frame.

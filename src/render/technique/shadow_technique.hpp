@@ -49,8 +49,8 @@ class ShadowTechnique {
 
     /// How many stencils a light takes, one for each group of casters; 0: it marks none.
     virtual std::size_t stencils(const GpuScene&, const FrameLight&) const { return 0; }
-    /// What is drawn into one of them. Uploads nothing.
-    virtual CountPlan plan(const GpuScene&, const CasterGroupInSlice&) { return {}; }
+    /// What is drawn into one of them, into the plan of another one. Uploads nothing.
+    virtual void plan(const GpuScene&, const CasterGroupInSlice&, CountPlan& plan) { plan.clear(); }
     /// Uploads what the plan draws, and makes its programs, where they are not there yet.
     virtual void prepare(const CountPlan&, GpuScene&, const CasterGroupInSlice&) {}
     /// Leaves what is in shadow in a stencil that was cleared to the plan's start: it is not 0

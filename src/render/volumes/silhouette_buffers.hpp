@@ -9,11 +9,12 @@
 namespace edgeshade {
 
 /// The records of potential silhouettes, gathered on the GPU in the forms that PlanePairBuffers
-/// has. They go with their lists (SilhouetteList::identity).
+/// has. They go with their lists (SilhouetteList::identity), and are replaced by later versions.
 class SilhouetteBuffers {
   public:
     /// What is gathered of one list.
     struct Gathered {
+        std::size_t version = 0;                  ///< the list's
         gl::Buffer certainPairs, uncertainPairs;  ///< in the order of their lists
         std::map<std::uint32_t, CapBuffers> caps; ///< by cluster: those that may face the light
     };

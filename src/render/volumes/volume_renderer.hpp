@@ -34,8 +34,10 @@ class VolumeRenderer {
     /// Lights move from frame to frame, never within one.
     virtual void beginFrame(const GpuScene&) {}
 
-    /// What is drawn of the casters. Uploads nothing.
-    virtual CountPlan plan(const GpuScene& scene, const CasterGroupInSlice& casters) = 0;
+    /// What is drawn of the casters, into the plan of others, whose memory it may reuse. Uploads
+    /// nothing.
+    virtual void plan(const GpuScene& scene, const CasterGroupInSlice& casters,
+                      CountPlan& plan) = 0;
 
     /// Uploads the records that the plan's draws take, and makes their programs, where they are not
     /// there yet.

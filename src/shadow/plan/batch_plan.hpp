@@ -16,10 +16,18 @@ struct BatchPlan {
     float reach = 0.0f;    ///< ContactCaps'
     std::shared_ptr<const PlanePairShadow> shadow = nullptr;
     VolumePlan volumes = {}; ///< which clusters are drawn, which are left out, how and why
-    std::vector<glm::dvec4> ends = {}; ///< where volumes may end: PlanView's
+    EndPlanes ends = {};     ///< where volumes may end: PlanView's
     /// Where draws take their pairs from; null: from all, or nothing is drawn. Holds until the next
     /// frame is planned.
     const SilhouetteList* silhouettes = nullptr;
+
+    /// Makes it as new, and keeps its memory.
+    void clear() {
+        VolumePlan kept = std::move(volumes);
+        kept.clear();
+        *this = {};
+        volumes = std::move(kept);
+    }
 };
 
 } // namespace edgeshade

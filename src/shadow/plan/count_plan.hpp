@@ -1,5 +1,6 @@
 #pragma once
 
+#include "preprocess/base/kept_vector.hpp"
 #include "src/shadow/plan/draw_list.hpp"
 #include "src/shadow/plan/solid_clusters.hpp"
 #include "src/shadow/plan/stencil_start.hpp"
@@ -19,7 +20,7 @@ struct PlacedShadow {
 
 /// What one stencil counts: a group of a light's casters in a depth slice.
 struct CountPlan {
-    std::vector<BatchPlan> batches;
+    KeptVector<BatchPlan> batches;
     /// Nothing is drawn: visible points are asked one by one (docs/method.md, C46).
     bool byPoints = false;
     bool fullyShadowed = false; ///< all that is visible is in shadow, and nothing is drawn
@@ -27,6 +28,18 @@ struct CountPlan {
     DrawList draws; ///< where some count twice they come first, and counts are doubled then
 
     std::size_t vertexRuns() const;
+
+    /// Empties it, and keeps its memory.
+    void clear();
+};
+
+/// Arrays that planning uses again for the next light and the next frame.
+struct PlanMemory {
+    ClusterMemory clusters;
+    ContactCaps contact;
+    FrameView seen;             ///< the part of the view that a light can change
+    std::vector<double> ranges; ///< of the light, by batch; see rangeInObject()
+    std::vector<std::uint8_t> fanned;
 };
 
 /// How plane-pair records are planned.
@@ -34,10 +47,15 @@ struct PlanSettings {
     int mantissaBits = 23;                       ///< of the vertex shader's floats
     PotentialSilhouettes* silhouettes = nullptr; ///< null: all records are drawn
     KeptSolids* solids = nullptr; ///< of scenes that cull; null: no cluster is known to be solid
+    PlanMemory* memory = nullptr; ///< null: each plan takes memory of its own
 };
 
-/// Plans what is drawn of a group of casters for the view's light with that index. `materials`:
-/// of the scene. Pure but for the silhouettes that are kept from frame to frame.
+/// Plans what is drawn of a group of casters for the view's light with that index, into `plan`,
+/// whose memory it reuses. `materials`: of the scene. Pure but for the silhouettes that are kept
+/// from frame to frame.
+void planCount(const std::vector<PlacedShadow>& casters, const std::vector<Material>& materials,
+               const FrameView& view, const DepthSlice& slice, std::size_t light,
+               const PlanSettings& settings, CountPlan& plan);
 CountPlan planCount(const std::vector<PlacedShadow>& casters,
                     const std::vector<Material>& materials, const FrameView& view,
                     const DepthSlice& slice, std::size_t light, const PlanSettings& settings);

@@ -11,7 +11,7 @@ struct DrawList {
 };
 
 /// Turns what was decided for a batch's clusters into draws, in their order, and appends these.
-/// `index`: of the batch in the plan.
+/// `index`: of the batch in the plan; `fanned`: memory to use.
 ///
 /// Sides: a single record counts once. So does a pair where one triangle of a silhouette edge
 /// casts. Where both cast it counts twice, but once where the light is in the plane of either.
@@ -20,6 +20,6 @@ struct DrawList {
 /// the potential silhouettes; else those triangles that cast, only those that may face the light
 /// where that is known. Those of ClusterPlan::culledCaps come besides, of single-sided casters.
 void appendDraws(const BatchPlan& batch, std::size_t index, const std::vector<Material>& materials,
-                 DrawList& draws);
+                 std::vector<std::uint8_t>& fanned, DrawList& draws);
 
 } // namespace edgeshade

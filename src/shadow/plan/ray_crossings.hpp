@@ -12,16 +12,26 @@ namespace edgeshade {
 /// Where more triangles than these stand in a volume, counting them is not worth it.
 inline constexpr std::size_t mostTouched = 512;
 
+/// An edge, and the sign of a triangle on it.
+struct EdgeSign {
+    glm::vec3 a, b;
+    int sign;
+    std::uint64_t number; ///< the same for equal edges, and mostly another one for others
+};
+
 /// Caps of one cluster that may meet a volume: all that do, and few others.
 struct Touched {
     std::vector<std::uint32_t> caps; ///< ascending
     bool tooMany = false;            ///< there may be more
+    std::vector<EdgeSign> edges;     ///< evennessOf()'s, kept for their memory
 };
-Touched capsTouching(const NearClipVolume& volume, const ShadowCluster& cluster,
-                     const PlanePairShadow& shadow, std::size_t limit = mostTouched);
 
-/// Whether any of them may: separated as well as areApart() can.
-bool anyCapTouches(const NearClipVolume& volume, const ShadowCluster& cluster,
+/// Finds the caps that may meet the volume with these faces; reuses the memory of `touched`.
+void findTouching(const ClipVolumeFaces& faces, const ShadowCluster& cluster,
+                  const PlanePairShadow& shadow, Touched& touched, std::size_t limit = mostTouched);
+
+/// Whether any cap may: separated as well as areApart() can.
+bool anyCapTouches(const ClipVolumeFaces& faces, const ShadowCluster& cluster,
                    const PlanePairShadow& shadow);
 
 /// How many triangles of a cluster a way to the light crosses, each by the sign that its plane has
@@ -55,7 +65,7 @@ enum class Evenness {
 /// of the triangles and of silhouettes drawn out away from the light, doesn't meet it. A silhouette
 /// that crosses the rectangle does so behind an edge that is within the volume; and with every
 /// triangle on such an edge being touched as well, their signs alone tell which edges those are.
-Evenness evennessOf(const NearClipVolume& volume, std::span<const std::uint32_t> touched,
-                    const PlanePairShadow& shadow, double rounding);
+Evenness evennessOf(const ClipVolumeFaces& faces, Touched& touched, const PlanePairShadow& shadow,
+                    double rounding);
 
 } // namespace edgeshade
