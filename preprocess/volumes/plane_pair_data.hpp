@@ -63,6 +63,9 @@ struct SingleRecord {
 struct CapRecord {
     glm::vec3 a, b, c;
     glm::vec4 plane;
+
+    /// False if the plane is zero: every light lies in it.
+    bool casts() const { return plane != glm::vec4(0.0f); }
 };
 static_assert(sizeof(PairRecord) == 56 && sizeof(SingleRecord) == 40 && sizeof(CapRecord) == 52);
 

@@ -109,7 +109,7 @@ ShadowMapLookup ShadowMapPass::draw(const GpuScene& scene, const FrameView& fram
     if (settings_.soft == SoftShadows::pcss && light.extent) lookup.pcss = pcssLight(light, view);
     lookup.share = static_cast<float>(view.share);
     lookup.mapScale = glm::vec3(view.scale());
-    lookup.further = further(light);
+    lookup.further = further();
     if (view.cascades.empty()) return lookup;
     lookup.cascadeCount = static_cast<std::size_t>(lookup.faces);
     for (std::size_t i = 0; i < lookup.cascadeCount; ++i) { // unused ones repeat the last

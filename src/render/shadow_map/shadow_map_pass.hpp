@@ -70,7 +70,7 @@ class ShadowMapPass {
                                const glm::dmat4& mapFromObject) const;
     /// Runs after all faces are drawn.
     virtual void finish(const MapTask&) {}
-    virtual const MapUniforms* further(const Light&) { return nullptr; }
+    virtual const MapUniforms* further() const { return nullptr; }
     virtual std::string faceWords(const Light& light) const;
     virtual std::string filterWords() const { return "compared"; }
 

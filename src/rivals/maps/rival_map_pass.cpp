@@ -132,10 +132,6 @@ void RivalMapPass::finish(const MapTask& task) {
     glEnable(GL_DEPTH_TEST);
 }
 
-const MapUniforms* RivalMapPass::further(const Light&) {
-    return this;
-}
-
 void RivalMapPass::set(gl::Program& program, int unit) const {
     program.set("u_mapTexels", static_cast<float>(settings_.size));
     program.set("u_bleeding", bleedingShareOf(settings_));

@@ -29,7 +29,7 @@ class RivalMapPass : public ShadowMapPass, private MapUniforms {
     void setProjection(const gl::Program& program, const MapTask& task, std::size_t face,
                        const glm::dmat4& mapFromObject) const override;
     void finish(const MapTask& task) override;
-    const MapUniforms* further(const Light& light) override;
+    const MapUniforms* further() const override { return this; }
     std::string faceWords(const Light& light) const override;
     std::string filterWords() const override;
 

@@ -7,10 +7,15 @@
 
 namespace edgeshade {
 
+/// The largest magnitude of a component.
+inline double largestComponent(const glm::dvec3& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
 /// The direction of `v` with length 1; `v` must not be 0. Scaled first, so that no double under- or
 /// overflows.
 inline glm::dvec3 unitOf(const glm::dvec3& v) {
-    return glm::normalize(v / std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}));
+    return glm::normalize(v / largestComponent(v));
 }
 
 /// Right, up and `forward`, which must have length 1.

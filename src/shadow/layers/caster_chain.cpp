@@ -17,10 +17,6 @@ bool isReached(const ShadowCluster& cluster, const LightInBatch& light, double r
     return !isBeyond(cluster.bounds, glm::dvec3(light.place), range + light.rounding);
 }
 
-bool casts(const CapRecord& cap) {
-    return cap.plane != glm::vec4(0.0f);
-}
-
 /// The facing of a record's triangle, without branches: nothing predicts them.
 int facingOf(const std::vector<std::int8_t>& facings, PlaneOf plane) {
     const int negated = plane.negated() ? 1 : 0;
@@ -104,7 +100,7 @@ void CasterChain::look(const LightInBatch& light, double range, std::vector<std:
         singles.append(cluster.singles,
                        [&](std::uint32_t i) { return facingOf(facings, shadow.singlePlanes[i]); });
         forUncertain(facings, cluster.caps, [&](std::uint32_t cap) {
-            if (casts(shadow.caps[cap])) seen.uncertain.push_back(cap);
+            if (shadow.caps[cap].casts()) seen.uncertain.push_back(cap);
         });
     }
     pairs.end();

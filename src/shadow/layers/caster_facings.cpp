@@ -34,10 +34,6 @@ PlaneError errorOf(const CapRecord& cap) {
             std::abs(glm::dot(normal, a) + static_cast<double>(cap.plane.w))};
 }
 
-bool isNone(const glm::vec4& plane) {
-    return plane == glm::vec4(0.0f);
-}
-
 /// The same for a plane and the opposite one.
 std::array<float, 4> keyOf(const glm::vec4& plane) {
     float sign = 1.0f;
@@ -56,7 +52,7 @@ struct LoosePlane {
 std::vector<LoosePlane> loosePlanes(const PlanePairShadow& shadow, double size) {
     std::vector<LoosePlane> planes;
     for (const CapRecord& cap : shadow.caps) {
-        if (isNone(cap.plane)) continue;
+        if (!cap.casts()) continue;
         const PlaneError error = errorOf(cap);
         if (error.isLoose(size)) planes.push_back({keyOf(cap.plane), error});
     }

@@ -1,6 +1,7 @@
 #include "src/shadow/layers/face_chain.hpp"
 
 #include "preprocess/base/prefetch.hpp"
+#include "src/shadow/geometry/vectors.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,10 +17,6 @@ constexpr double faceCut = 1.001;
 /// Shares of a ray's length. A point of a triangle that is nearer to the light than this has no
 /// reliable place on a face; rounding of a point between two corners.
 constexpr double leastDistance = 0x1p-18, mixRounding = 0x1p-50;
-
-double largestOf(const glm::dvec3& v) {
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
 
 /// Draws the edges and triangles of one batch.
 class BatchDrawing {
@@ -58,7 +55,7 @@ class BatchDrawing {
         double farthest = 0.0;
         for (const glm::dvec3& corner : corners) {
             box.add(corner);
-            farthest = std::max(farthest, largestOf(corner));
+            farthest = std::max(farthest, largestComponent(corner));
         }
         const bool isPlaced =
             box.distanceTo(glm::dvec3(0.0)) > leastDistance * farthest + 0x1p30 * rays_.rounding;
@@ -124,7 +121,7 @@ class BatchDrawing {
         const glm::dvec3 to = last < 1.0 ? a + last * (b - a) : b;
         const auto of = static_cast<std::size_t>(face);
         const double depth = std::min(from.z, to.z);
-        const double mixed = mixRounding * (largestOf(a) + largestOf(b)) / depth;
+        const double mixed = mixRounding * (largestComponent(a) + largestComponent(b)) / depth;
         faces_[of].error = depth > 0.0 ? std::max(faces_[of].error, 3.0 * mixed) : INFINITY;
         if (depth > 0.0) project(of, from, to, weight);
     }
@@ -174,9 +171,9 @@ RaysOfBatch::RaysOfBatch(const LightView& view, const glm::dmat4& worldFromBatch
     }
     double largest = 0.0;
     for (glm::length_t i = 0; i < 3; ++i)
-        largest += largestOf(glm::dvec3(worldFromBatch[i]));
-    const double light = view.directional ? 0.0 : largestOf(view.position);
-    rounding = 0x1p-48 * (largest * size + largestOf(place) + light);
+        largest += largestComponent(glm::dvec3(worldFromBatch[i]));
+    const double light = view.directional ? 0.0 : largestComponent(view.position);
+    rounding = 0x1p-48 * (largest * size + largestComponent(place) + light);
 }
 
 void drawChain(const LightView& view, const RaysOfBatch& rays, const CasterChain& chain,
@@ -205,9 +202,9 @@ int trianglesAlong(const glm::dvec3& direction, const RaysOfBatch& rays, const C
         for (std::size_t i = 0; i < 3 && !misses; ++i) {
             const glm::dvec3 &p = corners[i], &q = corners[(i + 1) % 3];
             const double side = sense * glm::dot(direction, glm::cross(p, q));
-            const double sizes = largestOf(p) + largestOf(q);
-            misses =
-                side < -16.0 * (rays.rounding + 0x1p-50 * sizes) * sizes * largestOf(direction);
+            const double sizes = largestComponent(p) + largestComponent(q);
+            misses = side < -16.0 * (rays.rounding + 0x1p-50 * sizes) * sizes *
+                                largestComponent(direction);
         }
         met += misses ? 0 : 1;
     }

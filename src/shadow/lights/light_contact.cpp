@@ -1,5 +1,7 @@
 #include "src/shadow/lights/light_contact.hpp"
 
+#include "src/shadow/geometry/vectors.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -17,12 +19,9 @@ double roundingUnit(int mantissaBits) {
 /// and C24).
 constexpr double placingUnits = 4.0, dotUnits = 7.0;
 
-double largestOf(const glm::dvec3& v) {
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
 double largestOf(const std::array<glm::dvec3, 3>& corners) {
-    return std::max({largestOf(corners[0]), largestOf(corners[1]), largestOf(corners[2])});
+    return std::max(
+        {largestComponent(corners[0]), largestComponent(corners[1]), largestComponent(corners[2])});
 }
 
 Box boxAround(const std::array<glm::dvec3, 3>& corners) {
@@ -67,8 +66,8 @@ Evaluated evaluated(const glm::dvec3& normal, double offset, const glm::dvec3& l
 bool mayTouch(const Box& box, const glm::dvec4& light, int mantissaBits) {
     if (light.w == 0.0 || box.empty()) return false;
     const glm::dvec3 place = glm::dvec3(light) / light.w;
-    const double largest = std::max(largestOf(box.low), largestOf(box.high));
-    const double reach = mostRoom(std::max(largest, largestOf(place)), mantissaBits);
+    const double largest = std::max(largestComponent(box.low), largestComponent(box.high));
+    const double reach = mostRoom(std::max(largest, largestComponent(place)), mantissaBits);
     return box.distanceTo(place) <= reach;
 }
 
@@ -86,7 +85,7 @@ LightContact contactOf(const std::array<glm::dvec3, 3>& corners, const glm::dvec
     }
     const glm::dvec3 place = glm::dvec3(light) / light.w;
     const double height = glm::dot(normal, place - corners[0]);
-    const double coordinates = std::max(largestOf(place), largestOf(corners));
+    const double coordinates = std::max(largestComponent(place), largestOf(corners));
     if (std::abs(height) <= mostRoom(coordinates, mantissaBits)) {
         const double unit = roundingUnit(mantissaBits);
         const Evaluated seen = evaluated(normal, -glm::dot(normal, corners[0]), place);

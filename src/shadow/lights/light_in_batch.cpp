@@ -1,6 +1,7 @@
 #include "src/shadow/lights/light_in_batch.hpp"
 
-#include <algorithm>
+#include "src/shadow/geometry/vectors.hpp"
+
 #include <cmath>
 
 namespace edgeshade {
@@ -27,8 +28,7 @@ LightInBatch lightInBatch(const Light& light, const glm::dmat4& worldFromBatch) 
     result.place.w = light.position.w;
     if (light.position.w != 0.0) return result;
     // Keeps squares of it within the range of floats.
-    const double largest =
-        std::max({std::abs(result.place.x), std::abs(result.place.y), std::abs(result.place.z)});
+    const double largest = largestComponent(glm::dvec3(result.place));
     result.place /= largest;
     result.rounding /= largest;
     return result;

@@ -23,11 +23,6 @@ int certainSide(const glm::vec4& plane, const glm::dvec4& light, double rounding
     return side > 0.0 ? 1 : -1;
 }
 
-/// Whether the cap's plane is zero: every light lies in it, so it casts nothing.
-bool castsNothing(const CapRecord& cap) {
-    return cap.plane == glm::vec4(0.0f);
-}
-
 std::array<glm::dvec3, 3> cornersOf(const CapRecord& cap) {
     return {glm::dvec3(cap.a), glm::dvec3(cap.b), glm::dvec3(cap.c)};
 }
@@ -78,7 +73,7 @@ std::optional<RayCrossings> crossingsFrom(const glm::dvec3& start, const glm::dv
         const Crossing crossing = crossingOf(cornersOf(cap), start, light);
         if (crossing == Crossing::uncertain) return std::nullopt;
         const int side = certainSide(cap.plane, light, rounding);
-        if (side == 0 && !castsNothing(cap)) return std::nullopt;
+        if (side == 0 && cap.casts()) return std::nullopt;
         if (crossing == Crossing::none) continue;
         const int inSpace = crossing == Crossing::towardsItsFront ? 1 : -1;
         (side > 0 ? crossings.lightFacing : crossings.facingAway) += side * inSpace;
@@ -188,7 +183,7 @@ Evenness evennessOf(const NearClipVolume& volume, std::span<const std::uint32_t>
     edges.reserve(3 * touched.size());
     for (const std::uint32_t i : touched) {
         const CapRecord& cap = shadow.caps[i];
-        if (castsNothing(cap)) continue;
+        if (!cap.casts()) continue;
         const std::array<glm::dvec3, 3> corners = cornersOf(cap);
         if (mayMeetRectangle(volume, faces, corners)) return Evenness::rectangleMet;
         const int side = certainSide(cap.plane, volume.light, rounding);
