@@ -1,5 +1,6 @@
 #include "preprocess/volumes/clustering.hpp"
 
+#include "preprocess/base/morton.hpp"
 #include "preprocess/base/prefetch.hpp"
 #include "preprocess/base/radix_sort.hpp"
 
@@ -19,25 +20,6 @@ struct Part {
 
     std::uint32_t kind() const { return closed ? 0 : alphaTested ? 2 : 1; }
 };
-
-/// Inserts two zeros after each of the lowest 21 bits; the others must be 0.
-std::uint64_t spread(std::uint64_t bits) {
-    bits = (bits | bits << 32) & 0x001F00000000FFFFu;
-    bits = (bits | bits << 16) & 0x001F0000FF0000FFu;
-    bits = (bits | bits << 8) & 0x100F00F00F00F00Fu;
-    bits = (bits | bits << 4) & 0x10C30C30C30C30C3u;
-    return (bits | bits << 2) & 0x1249249249249249u;
-}
-
-std::uint64_t mortonCode(const glm::dvec3& point, const Box& all) {
-    std::uint64_t code = 0;
-    for (glm::length_t axis = 0; axis < 3; ++axis) {
-        const double extent = all.high[axis] - all.low[axis];
-        const double at = extent > 0.0 ? (point[axis] - all.low[axis]) / extent : 0.0;
-        code |= spread(static_cast<std::uint64_t>(std::clamp(at, 0.0, 1.0) * 0x1FFFFF)) << axis;
-    }
-    return code;
-}
 
 /// A box of floats, for corners of triangles.
 struct FloatBox {
@@ -124,16 +106,11 @@ std::vector<Part> componentParts(const CasterMesh& mesh, const std::vector<Float
     return parts;
 }
 
-/// A Morton code of 63 bits as a sort key.
-std::array<std::uint32_t, 2> keyOf(std::uint64_t code) {
-    return {static_cast<std::uint32_t>(code >> 31), static_cast<std::uint32_t>(code & 0x7FFFFFFFu)};
-}
-
 /// Sorts by kind, then along the curve.
 std::vector<Keyed<3>> orderOf(const std::vector<Part>& parts, Threads threads) {
     std::vector<Keyed<3>> order(parts.size());
     forEachItem(parts.size(), itemsOfThread, threads, [&](std::size_t i) {
-        const auto [high, low] = keyOf(parts[i].place);
+        const auto [high, low] = mortonKey(parts[i].place);
         order[i] = {{parts[i].kind(), high, low}, static_cast<std::uint32_t>(i)};
     });
     radixSort(order, threads);
@@ -198,7 +175,7 @@ void sortAlongCurve(const std::vector<FloatBox>& boxes, const Box& bounds,
     forEachItem(order.size(), itemsOfThread, threads, [&](std::size_t i) {
         const FloatBox& floats = boxes[triangles[i]];
         const Box box{glm::dvec3(floats.low), glm::dvec3(floats.high)};
-        order[i] = {keyOf(mortonCode(box.center(), bounds)), triangles[i]};
+        order[i] = {mortonKey(mortonCode(box.center(), bounds)), triangles[i]};
     });
     radixSort(order, threads);
     for (std::size_t i = 0; i < order.size(); ++i)

@@ -53,7 +53,8 @@ Needs needsOf(const RenderSettings& settings) {
 class Stage {
   public:
     Stage(const LoadedScene& loaded, const gl::Capabilities& capabilities)
-        : loaded_(loaded), capabilities_(capabilities), bounds_(worldBounds(loaded.scene)) {}
+        : loaded_(loaded), capabilities_(capabilities), bounds_(worldBounds(loaded.scene)),
+          tree_(loaded.scene) {}
 
     bool isOf(const LoadedScene& loaded) const { return &loaded == &loaded_; }
 
@@ -63,7 +64,7 @@ class Stage {
     void look(const FrameRequest& request, bool moves, bool volumes,
               std::optional<std::size_t> mostShadowed) {
         Stopwatch watch;
-        view_ = makeFrameView(loaded_.scene, request, bounds_);
+        view_ = makeFrameView(loaded_.scene, request, bounds_, tree_);
         chooseLights(view_, mostShadowed);
         for (FrameLight& of : view_.lights)
             of.atRest = !moves;
@@ -94,6 +95,7 @@ class Stage {
     const LoadedScene& loaded_;
     const gl::Capabilities& capabilities_;
     Box bounds_;
+    SceneTree tree_;
     std::map<Needs, GpuScene> scenes_;
     FrameView view_;
     KeptLayers layers_;
@@ -209,6 +211,11 @@ class Course {
         for (const auto& contender : contenders_)
             request.lightSamples =
                 std::max(request.lightSamples, contender->renderer.settings().countedPoints());
+        request.nearestDepths =
+            std::any_of(contenders_.begin(), contenders_.end(), [](const auto& contender) {
+                const auto& records = contender->needs.volumes;
+                return records && records->volumes != VolumeLayout::planePairs;
+            });
         for (const auto& stage : stages_)
             stage->look(request, task_.lightMoves, anyVolumes(*stage), mostShadowed());
     }

@@ -168,7 +168,8 @@ void render(const RenderOptions& options) {
     task.request.depth.slices = options.settings.depthSlices;
     task.request.lightSamples = options.settings.render.countedPoints();
     requireFitting(options, task.request.lights);
-    FrameView view = viewOf(loaded, task, 0);
+    const SceneTree tree(loaded.scene);
+    FrameView view = viewOf(loaded, tree, task, 0);
     const gl::HeadlessContext context({view.width, view.height, options.samples, options.glLimits});
     const gl::Capabilities& capabilities = context.capabilities();
     RenderSettings settings = options.settings.render;
@@ -192,7 +193,7 @@ void render(const RenderOptions& options) {
     ProgressBar bar;
     const bool slow = options.subpixels > 1 || ExtendedLights::points(view) > 0;
     std::vector<std::uint8_t> pixels =
-        drawStill(loaded, task, view, renderer, scene, context, [&](double share) {
+        drawStill(loaded, tree, task, view, renderer, scene, context, [&](double share) {
             if (slow) bar.show(share, "drawing");
         });
     if (options.debug == DebugPicture::volumes) {

@@ -22,10 +22,11 @@ std::uint8_t byteOf(std::uint64_t part, std::uint64_t whole) {
 /// Draws a task's pictures one by one.
 class Sitting {
   public:
-    Sitting(const LoadedScene& loaded, const StillTask& task, Renderer& renderer, GpuScene& scene,
-            const gl::HeadlessContext& context, const std::function<void(double)>& progress)
-        : loaded_(loaded), task_(task), renderer_(renderer), scene_(scene), context_(context),
-          progress_(progress) {}
+    Sitting(const LoadedScene& loaded, const SceneTree& tree, const StillTask& task,
+            Renderer& renderer, GpuScene& scene, const gl::HeadlessContext& context,
+            const std::function<void(double)>& progress)
+        : loaded_(loaded), tree_(tree), task_(task), renderer_(renderer), scene_(scene),
+          context_(context), progress_(progress) {}
 
     std::vector<std::uint8_t> mask(const FrameView& first) {
         const bool points = !first.lights.front().points.empty();
@@ -87,7 +88,7 @@ class Sitting {
     void forEachPicture(const FrameView& first, Draw draw) {
         const double share = 1.0 / static_cast<double>(task_.subpixels);
         for (std::size_t n = 0; n < task_.subpixels; ++n) {
-            const FrameView view = n == 0 ? first : viewOf(loaded_, task_, n, &first);
+            const FrameView view = n == 0 ? first : viewOf(loaded_, tree_, task_, n, &first);
             prepareScene(scene_, loaded_, view, renderer_);
             if (n == 0 && task_.prepared) task_.prepared();
             draw(view, static_cast<double>(n) * share, share);
@@ -114,6 +115,7 @@ class Sitting {
     }
 
     const LoadedScene& loaded_;
+    const SceneTree& tree_;
     const StillTask& task_;
     Renderer& renderer_;
     GpuScene& scene_;
@@ -146,12 +148,12 @@ bool isGrey(const StillTask& task) {
     return task.mask && (task.subpixels > 1 || extended);
 }
 
-FrameView viewOf(const LoadedScene& loaded, const StillTask& task, std::size_t n,
-                 const FrameView* like) {
+FrameView viewOf(const LoadedScene& loaded, const SceneTree& tree, const StillTask& task,
+                 std::size_t n, const FrameView* like) {
     FrameRequest request = task.request;
     request.frustum = sampledAt(request.frustum, subpixelOffset(n), request.width, request.height);
     FrameView view =
-        makeFrameView(loaded.scene, request, like ? like->bounds : worldBounds(loaded.scene));
+        makeFrameView(loaded.scene, request, like ? like->bounds : worldBounds(loaded.scene), tree);
     if (!like) chooseLights(view, task.shadowedLights);
     for (std::size_t i = 0; like && i < view.lights.size(); ++i) {
         const FrameLight& known = like->lights[i];
@@ -164,12 +166,13 @@ FrameView viewOf(const LoadedScene& loaded, const StillTask& task, std::size_t n
     return view;
 }
 
-std::vector<std::uint8_t> drawStill(const LoadedScene& loaded, const StillTask& task,
-                                    const FrameView& first, Renderer& renderer, GpuScene& scene,
+std::vector<std::uint8_t> drawStill(const LoadedScene& loaded, const SceneTree& tree,
+                                    const StillTask& task, const FrameView& first,
+                                    Renderer& renderer, GpuScene& scene,
                                     const gl::HeadlessContext& context,
                                     const std::function<void(double)>& progress) {
     if (task.shadeSamples) requireSums(first, renderer, context.capabilities());
-    Sitting sitting(loaded, task, renderer, scene, context, progress);
+    Sitting sitting(loaded, tree, task, renderer, scene, context, progress);
     // A soft map's mask needs no sum: it is already grey.
     const bool sums = isGrey(task) && renderer.settings().countedPoints() > 0;
     return sums ? sitting.mask(first) : sitting.picture(first);

@@ -26,16 +26,17 @@ struct StillTask {
 /// Whether a mask can have values between lit and shadowed.
 bool isGrey(const StillTask& task);
 
-/// The frame of the task's n-th picture. `like`: another picture's frame, whose layers it takes;
-/// null: it leaves its layers to boundCountedLayers().
-FrameView viewOf(const LoadedScene& loaded, const StillTask& task, std::size_t n,
-                 const FrameView* like = nullptr);
+/// The frame of the task's n-th picture. `tree`: the scene's. `like`: another picture's frame, whose
+/// layers it takes; null: it leaves its layers to boundCountedLayers().
+FrameView viewOf(const LoadedScene& loaded, const SceneTree& tree, const StillTask& task,
+                 std::size_t n, const FrameView* like = nullptr);
 
 /// Draws the task: RGBA, rows top to bottom. `first`: viewOf() of picture 0. Afterwards `renderer`
 /// has the plan of the last picture. `progress` receives the share done. Throws Error(usage) for
 /// more masks than can be added up, and Error(unavailable) if the GL can't add up lights.
-std::vector<std::uint8_t> drawStill(const LoadedScene& loaded, const StillTask& task,
-                                    const FrameView& first, Renderer& renderer, GpuScene& scene,
+std::vector<std::uint8_t> drawStill(const LoadedScene& loaded, const SceneTree& tree,
+                                    const StillTask& task, const FrameView& first,
+                                    Renderer& renderer, GpuScene& scene,
                                     const gl::HeadlessContext& context,
                                     const std::function<void(double)>& progress);
 

@@ -127,6 +127,7 @@ void CasterScene::put(std::size_t batch, const PreparedMesh& mesh) {
 
 void CasterScene::changed() {
     bounds_.reset();
+    treeIsCurrent_ = false;
     layers_.clear();
     gpu_->groups.clear();
 }
@@ -187,6 +188,12 @@ void CasterScene::fillLayers(std::vector<FrameLight>& lights) {
 const Box& CasterScene::bounds() {
     if (!bounds_) bounds_ = worldBounds(loaded_.scene);
     return *bounds_;
+}
+
+const SceneTree& CasterScene::tree() {
+    if (!treeIsCurrent_) tree_.update(loaded_.scene);
+    treeIsCurrent_ = true;
+    return tree_;
 }
 
 std::size_t CasterScene::bytes() const {

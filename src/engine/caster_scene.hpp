@@ -46,6 +46,7 @@ class CasterScene {
     const LoadedScene& loaded() const { return loaded_; }
     GpuScene& gpu() { return *gpu_; }
     const Box& bounds();
+    const SceneTree& tree();
     /// Size on the GPU, of surfaces and records.
     std::size_t bytes() const;
 
@@ -78,7 +79,10 @@ class CasterScene {
     std::vector<bool> taken_, uploaded_; ///< by batch
     std::size_t casterState_ = 0;
     KeptLayers layers_;
-    std::optional<Box> bounds_; ///< empty: something has moved since they were computed
+    // Empty, or out of date: something has moved since they were computed.
+    std::optional<Box> bounds_;
+    SceneTree tree_;
+    bool treeIsCurrent_ = false;
 };
 
 } // namespace edgeshade

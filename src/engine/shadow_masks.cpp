@@ -95,7 +95,9 @@ void MaskDrawing::draw(const MaskView& of, const std::vector<Light>& lights) {
                          .lights = lights};
     request.lightSamples = of.lightSamples;
     casters.upload();
-    FrameView view = makeFrameView(casters.loaded().scene, request, casters.bounds());
+    request.nearestDepths = false; // volumes are drawn from plane-pair records
+    FrameView view =
+        makeFrameView(casters.loaded().scene, request, casters.bounds(), casters.tree());
     casters.fillLayers(view.lights);
     view.mask = view.sumsMasks = true;
     fit(of.width, of.height, lights.size());

@@ -51,6 +51,16 @@ bool mayCount(const SideSettings& side) {
     return side.shadows == ShadowMethod::volumes || looksUp(side);
 }
 
+/// Whether volumes of a side, if any, are drawn from plane-pair records.
+bool takesPlanePairs(const SideSettings& side) {
+    return !mayCount(side) || volumeLayoutOf(side.multiplicity) == VolumeLayout::planePairs;
+}
+
+/// The same of all sides that the state shows.
+bool takesPlanePairs(const ViewState& state) {
+    return takesPlanePairs(state.left) && (!state.split || takesPlanePairs(state.right));
+}
+
 /// The part of a state that affects the picture, without its overlays.
 nlohmann::ordered_json pictureOf(const ViewState& state) {
     nlohmann::ordered_json json = toJson(state);
@@ -104,6 +114,7 @@ struct Viewer::Parts {
     DayClock dayClock;
     SunDays sunDays;
     std::optional<LoadedScene> loaded;
+    SceneTree tree;                         ///< the loaded scene's
     std::vector<AnimationTitle> animations; ///< the loaded scene's
     std::optional<Animation> animation;     ///< the chosen one
     KeptLayers layers;
@@ -278,16 +289,13 @@ void Viewer::Parts::applyCutouts() {
 /// surfaces from both sides.
 void Viewer::Parts::applyCulling() {
     if (!loaded) return;
-    const auto tellsFronts = [](const SideSettings& side) {
-        return !mayCount(side) || volumeLayoutOf(side.multiplicity) == VolumeLayout::planePairs;
-    };
-    loaded->scene.culls =
-        state.culls && tellsFronts(state.left) && (!state.split || tellsFronts(state.right));
+    loaded->scene.culls = state.culls && takesPlanePairs(state);
 }
 
 /// Drops everything computed for the batches' old places.
 void Viewer::Parts::sceneMoved() {
     stage.bounds = worldBounds(loaded->scene);
+    tree.update(loaded->scene);
     stage.framing = [this](double fovDegrees, double aspect, const glm::dvec3& direction) {
         return framingCamera(loaded->scene, fovDegrees, aspect, direction);
     };
@@ -459,7 +467,8 @@ FrameView Viewer::Parts::viewAt(const glm::dvec2& offset) const {
     request.lights = state.lights;
     request.depth = settings.depth;
     request.ground = state.ground.has_value();
-    FrameView view = makeFrameView(loaded->scene, request, stage.bounds);
+    request.nearestDepths = !takesPlanePairs(state);
+    FrameView view = makeFrameView(loaded->scene, request, stage.bounds, tree);
     if (settings.chooseLights) settings.chooseLights(view, settings.render.shadowedLights);
     if (sunIsDown(state)) view.lights.front().drawn = false;
     return view;

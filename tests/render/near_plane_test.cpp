@@ -3,7 +3,6 @@
 #include "tests/support/scene_builder.hpp"
 
 #include <gtest/gtest.h>
-#include <random>
 
 namespace edgeshade {
 namespace {
@@ -12,9 +11,12 @@ using test::SceneBuilder;
 
 const Frustum lookingAlongMinusZ = frustumOf({{0, 0, 0}, {0, 0, -1}, 90.0}, 1.0);
 
+VisiblePart partOf(const Scene& scene, const Frustum& frustum) {
+    return visiblePart(scene, SceneTree(scene), frustum, false);
+}
+
 double depthOf(const SceneBuilder& builder) {
-    return visiblePart(builder.scene(), builder.scene().batches[0], lookingAlongMinusZ)
-        .depth.nearest;
+    return partOf(builder.scene(), lookingAlongMinusZ).depth.nearest;
 }
 
 TEST(NearPlane, IsTheDepthOfAQuadAhead) {
@@ -58,57 +60,9 @@ TEST(VisibleDepth, EndsAtTheFarthest) {
     const auto two = SceneBuilder()
                          .quad({-1, -1, -5}, {1, -1, -5}, {1, 1, -5}, {-1, 1, -5})
                          .quad({-1, -1, -9}, {1, -1, -9}, {1, 1, -9}, {-1, 1, -9});
-    const VisiblePart part = visiblePart(two.scene(), two.scene().batches[0], lookingAlongMinusZ);
-    const DepthRange& range = part.depth;
+    const DepthRange range = partOf(two.scene(), lookingAlongMinusZ).depth;
     EXPECT_NEAR(range.nearest, 5.0, 1e-6);
     EXPECT_NEAR(range.farthest, 9.0, 1e-6);
-}
-
-// Runs of triangles are tested first: those left out must add nothing.
-TEST(VisibleDepth, IsThatOfAllTrianglesOneByOne) {
-    std::mt19937 random(5);
-    std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
-    const auto vector = [&] {
-        const float x = unit(random), y = unit(random), z = unit(random);
-        return glm::vec3(x, y, z);
-    };
-    for (const bool orthographic : {false, true})
-        for (int i = 0; i < 8; ++i) {
-            // Runs of small triangles with an occasional large one.
-            SceneBuilder builder;
-            for (int run = 0; run < 12; ++run) {
-                const glm::vec3 at = 4.0f * vector() - glm::vec3(0, 0, 6);
-                for (int t = 0; t < 70; ++t) {
-                    const glm::vec3 middle = at + 0.5f * vector();
-                    const float size = t % 50 == 49 ? 3.0f : 0.2f;
-                    builder.triangle(middle + size * vector(), middle + size * vector(),
-                                     middle + size * vector());
-                }
-            }
-            const Scene scene = builder.scene();
-            const Camera camera{{0.3 * i, -0.2, 1.0 - i}, {0.1, 0.1 * i, -6}, 70.0};
-            const Frustum frustum =
-                orthographic ? frustumOf(camera, 1.2, 6.0) : frustumOf(camera, 1.2);
-            const VisiblePart all = visiblePart(scene, scene.batches[0], frustum);
-            VisiblePart summed;
-            const std::vector<std::uint32_t>& indices = scene.batches[0].geometry->indices;
-            for (std::size_t t = 0; t < indices.size(); t += 3) {
-                Scene one = scene;
-                one.batches[0].geometry.edit().indices = {indices[t], indices[t + 1],
-                                                          indices[t + 2]};
-                summed.add(visiblePart(one, one.batches[0], frustum));
-            }
-            EXPECT_EQ(all.depth.nearest, summed.depth.nearest);
-            EXPECT_EQ(all.depth.farthest, summed.depth.farthest);
-            for (glm::length_t axis = 0; axis < 3; ++axis) {
-                EXPECT_NEAR(all.box.low[axis], summed.box.low[axis], 1e-12);
-                EXPECT_NEAR(all.box.high[axis], summed.box.high[axis], 1e-12);
-            }
-            EXPECT_EQ(all.slopes.right.low, summed.slopes.right.low);
-            EXPECT_EQ(all.slopes.right.high, summed.slopes.right.high);
-            EXPECT_EQ(all.slopes.up.low, summed.slopes.up.low);
-            EXPECT_EQ(all.slopes.up.high, summed.slopes.up.high);
-        }
 }
 
 TEST(DepthSlices, ShareTheRatioAndMeetEachOther) {

@@ -63,7 +63,7 @@ CountPlan TriangleVolumes::plan(const GpuScene& scene, const CasterGroupInSlice&
         appendTriangleDraws(buffersOf(volumes).groups, plan.batches.size() - 1,
                             {.zFail = zFail,
                              .directional = light.position.w == 0.0,
-                             .nearDiscard = casters.view.nearestDepths[i] <= casters.slice.near},
+                             .nearDiscard = casters.view.mayMeetNear(i, casters.slice)},
                             scene.materials, plan.draws.once);
     }
     return plan;

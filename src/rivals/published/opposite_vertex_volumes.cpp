@@ -42,8 +42,8 @@ CountPlan OppositeVertexVolumes::plan(const GpuScene& scene, const CasterGroupIn
         plan.batches.push_back(cornerRecordPlan(batch, i, casters.source().light));
         const BatchVolumes& volumes = scene.volumesOf(i, casters.source(), layout(), casters.group);
         appendOppositeVertexDraws(buffersOf(volumes).records(), plan.batches.size() - 1,
-                                  casters.view.nearestDepths[i] <= casters.slice.near,
-                                  scene.materials, plan.draws.once);
+                                  casters.view.mayMeetNear(i, casters.slice), scene.materials,
+                                  plan.draws.once);
     }
     return plan;
 }

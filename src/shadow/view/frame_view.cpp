@@ -31,23 +31,6 @@ Box boundsWithGround(const Scene& scene, Box bounds) {
     return bounds;
 }
 
-/// By batch: the box of its vertices in its space, if it shares them with other batches.
-std::vector<std::optional<Box>> boxesOfShared(const Scene& scene) {
-    const std::vector<std::size_t> first = firstOfGeometry(scene.batches);
-    std::vector<std::optional<Box>> boxes(first.size());
-    for (std::size_t i = 0; i < first.size(); ++i) {
-        if (first[i] == i) continue;
-        std::optional<Box>& box = boxes[first[i]];
-        if (!box) {
-            box.emplace();
-            for (const glm::vec3& position : scene.batches[i].geometry->positions)
-                box->add(position);
-        }
-        boxes[i] = box;
-    }
-    return boxes;
-}
-
 /// The plane that cuts casters for a point light, see FrameLight::cut; null if not needed.
 std::optional<glm::dvec4> cutAt(const Light& light, const Frustum& frustum, const Box& bounds) {
     if (!frustum.orthographic || light.position.w == 0.0 || bounds.empty()) return std::nullopt;
@@ -55,6 +38,16 @@ std::optional<glm::dvec4> cutAt(const Light& light, const Frustum& frustum, cons
     const glm::dvec4 plane(forward, -glm::dot(forward, glm::dvec3(light.position)));
     const bool among = largestOver(bounds, plane) > 0.0 && largestOver(bounds, -plane) > 0.0;
     return among ? std::optional(plane) : std::nullopt;
+}
+
+std::vector<double> nearestDepthsOf(const Scene& scene, const SceneTree& tree,
+                                    const FrameView& view) {
+    std::vector<double> depths;
+    for (std::size_t i = 0; i < scene.batches.size(); ++i)
+        depths.push_back(scene.batches[i].ground && !view.ground
+                             ? DepthRange().nearest
+                             : nearestDepth(scene, tree, i, view.frustum));
+    return depths;
 }
 
 /// Some of a light's points, as lights.
@@ -157,6 +150,11 @@ FrameView shadedByPoints(const FrameView& view) {
 }
 
 FrameView makeFrameView(const Scene& scene, const FrameRequest& request, const Box& bounds) {
+    return makeFrameView(scene, request, bounds, SceneTree(scene));
+}
+
+FrameView makeFrameView(const Scene& scene, const FrameRequest& request, const Box& bounds,
+                        const SceneTree& tree) {
     requireFewLights(request.lights.size());
     FrameView view;
     const Box all = boundsWithGround(scene, bounds);
@@ -170,28 +168,10 @@ FrameView makeFrameView(const Scene& scene, const FrameRequest& request, const B
     }
     view.bounds = bounds;
     view.culls = scene.culls;
-    VisiblePart seen;
-    const std::vector<std::optional<Box>> boxes = boxesOfShared(scene);
-    for (std::size_t i = 0; i < scene.batches.size(); ++i) {
-        const Batch& batch = scene.batches[i];
-        if (batch.ground) {
-            view.ground = request.ground && isAboveGround(view.frustum, batch);
-            if (!view.ground) {
-                view.nearestDepths.push_back(DepthRange().nearest);
-                continue;
-            }
-        }
-        const auto nearest =
-            boxes[i] ? nearestOfKnown(seen, *boxes[i], batch.worldFromBatch, view.frustum)
-                     : std::nullopt;
-        if (nearest) {
-            view.nearestDepths.push_back(*nearest);
-            continue;
-        }
-        const VisiblePart part = visiblePart(scene, batch, view.frustum);
-        view.nearestDepths.push_back(part.depth.nearest);
-        seen.add(part);
-    }
+    const auto& ground = tree.ground();
+    view.ground = ground && request.ground && isAboveGround(view.frustum, scene.batches[*ground]);
+    const VisiblePart seen = visiblePart(scene, tree, view.frustum, view.ground);
+    if (request.nearestDepths) view.nearestDepths = nearestDepthsOf(scene, tree, view);
     view.visible = seen.box;
     view.slopes = seen.slopes;
     view.farthestDepth = seen.depth.farthest;

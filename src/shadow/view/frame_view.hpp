@@ -36,6 +36,7 @@ struct FrameRequest {
     DepthChoice depth{};
     bool ground = true; ///< show the scene's ground, if it has one and the eye is above it
     std::size_t lightSamples = 0; ///< points of each light with an extent; 0: ignore extents
+    bool nearestDepths = true;    ///< fill in FrameView::nearestDepths, batch by batch
 };
 
 /// Identifies the light of which this one is a point.
@@ -78,7 +79,8 @@ struct FrameView {
     std::vector<DepthSlice> slices; ///< from far to near, at least one; orthographic: exactly one
     double farPlane = std::numeric_limits<double>::infinity(); ///< finite if orthographic
     double farthestDepth = 0.0;                                ///< of the visible geometry
-    std::vector<double> nearestDepths;                         ///< of each batch, see visiblePart()
+    /// The least depth of each batch, see nearestDepth(); empty: unknown.
+    std::vector<double> nearestDepths;
     Box visible{}; ///< of the visible geometry, in the world; empty: unknown
     Slopes slopes; ///< of the visible geometry
 
@@ -91,6 +93,10 @@ struct FrameView {
     double near() const { return slices.back().near; }
     /// Divides the depth range again, see divideDepth(). An orthographic picture stays undivided.
     void divide(std::optional<int> count);
+    /// Whether casters of the batch may be before the slice's near plane.
+    bool mayMeetNear(std::size_t batch, const DepthSlice& slice) const {
+        return nearestDepths.empty() || nearestDepths[batch] <= slice.near;
+    }
     /// Transform from camera to clip space, for one of the slices.
     glm::dmat4 clipFromView(const DepthSlice& slice) const {
         return edgeshade::clipFromView(frustum, slice.near, farPlane);
@@ -100,13 +106,17 @@ struct FrameView {
 constexpr std::size_t stencilLimit = 255; ///< the largest count of an 8-bit stencil
 
 /// Computes the near plane, the depth slices and the stencil layers, in time linear in the
-/// triangles. `castMasked` as in CasterSettings. An orthographic picture has one slice, as its
-/// depth resolution is uniform. The slice holds the whole scene: its near and far planes cut no
-/// volume where it matters. Throws Error(usage) for too many lights.
+/// triangles, with a SceneTree of its own. `castMasked` as in CasterSettings. An orthographic
+/// picture has one slice, as its depth resolution is uniform. The slice holds the whole scene: its
+/// near and far planes cut no volume where it matters. Throws Error(usage) for too many lights.
 FrameView makeFrameView(const Scene& scene, bool castMasked, const FrameRequest& request);
 
-/// As above without layers, for callers that draw many frames. They keep the scene's `bounds`, and
-/// the layers (KeptLayers), while neither scene nor lights move.
+/// As above without layers, for callers that draw many frames. They keep the scene's `bounds` and
+/// its tree, and the layers (KeptLayers), while neither scene nor lights move.
+FrameView makeFrameView(const Scene& scene, const FrameRequest& request, const Box& bounds,
+                        const SceneTree& tree);
+
+/// The same with a tree of its own, for a single frame.
 FrameView makeFrameView(const Scene& scene, const FrameRequest& request, const Box& bounds);
 
 /// Most masks that an 8-bit picture can add up.

@@ -1,229 +1,192 @@
 #include "src/shadow/view/visible_depth.hpp"
 
 #include "src/shadow/geometry/box_plane.hpp"
-#include "src/shadow/geometry/polygon.hpp"
+#include "src/shadow/geometry/normal_cone.hpp"
+#include "src/shadow/view/bound_test.hpp"
+#include "src/shadow/view/tree_search.hpp"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <glm/gtc/matrix_access.hpp>
+#include <optional>
 
 namespace edgeshade {
 namespace {
 
-constexpr double widening = 1.001; // of the window, against rounding
-
-/// Corners of the triangles that are first tested together: neighbours in a file are mostly close
-/// together.
-constexpr std::size_t runCorners = 3 * 64;
-
-/// Bound of a GL's error in placing points, in the view. `farthest`: the largest magnitudes of
-/// their coordinates.
-double placingErrorOf(const glm::dvec3& farthest, const glm::dmat4& viewFromBatch) {
-    double largest = 0.0;
-    for (glm::length_t axis = 0; axis < 3; ++axis) {
-        const glm::dvec4 row = glm::abs(glm::row(viewFromBatch, axis));
-        largest = std::max(largest, glm::dot(row, glm::dvec4(farthest, 1.0)));
+/// A batch's triangles and boxes in a picture.
+struct BatchBoxes {
+    BatchBoxes(const ClippingFrustum& clipping, const Scene& scene, const Batch& batch,
+               const TriangleTree& triangles_)
+        : triangles(triangles_), placed(clipping, scene, batch, triangles.farthest()),
+          space(clipping, placed.viewFromBatch(), triangles.farthest(), placed.slopeErrors()) {
+        if (scene.culls)
+            back.emplace(placed.viewFromBatch(), clipping.frustum.orthographic, placed.error());
     }
-    return placingError * largest;
-}
 
-glm::dvec3 farthestOf(const std::vector<glm::vec3>& positions) {
-    glm::dvec3 farthest(0.0);
-    for (const glm::vec3& position : positions)
-        farthest = glm::max(farthest, glm::dvec3(glm::abs(position)));
-    return farthest;
-}
+    /// Whether the scene certainly culls all triangles of a box.
+    bool areCulled(std::size_t level, std::size_t group, std::size_t lane) const {
+        if (!back) return false;
+        const NormalCone cone = triangles.cones(level, group).at(lane);
+        if (!(cone.thickness > 0.0)) return false;
+        const auto& [low, high] = triangles.boxes().group(level, group);
+        const Box box{{low[0][lane], low[1][lane], low[2][lane]},
+                      {high[0][lane], high[1][lane], high[2][lane]}};
+        return back->showsBacks(cone, box.center(), 0.5 * box.diagonal());
+    }
 
-/// The frustum with its window enlarged by the factor `widening`.
-Frustum widened(Frustum frustum) {
-    const glm::dvec2 more = 0.5 * (widening - 1.0) * frustum.size();
-    frustum.low -= more;
-    frustum.high += more;
-    return frustum;
-}
-
-/// A side of the frustum in camera space: dot(normal, p) + offset >= 0 inside.
-struct Side {
-    glm::dvec3 normal;
-    double offset;
+    const TriangleTree& triangles;
+    BatchInView placed;
+    SpaceInView space;
+    std::optional<BackView> back;
 };
-std::array<Side, 5> sidesOf(const Frustum& frustum) {
-    const glm::dvec2 &low = frustum.low, &high = frustum.high;
-    const Side front = {{0.0, 0.0, -1.0}, 0.0};
-    if (frustum.orthographic)
-        return {Side{{1.0, 0.0, 0.0}, -low.x}, Side{{-1.0, 0.0, 0.0}, high.x},
-                Side{{0.0, 1.0, 0.0}, -low.y}, Side{{0.0, -1.0, 0.0}, high.y}, front};
-    return {Side{{1.0, 0.0, low.x}, 0.0}, Side{{-1.0, 0.0, -high.x}, 0.0},
-            Side{{0.0, 1.0, low.y}, 0.0}, Side{{0.0, -1.0, -high.y}, 0.0}, front};
-}
 
-/// Bounds of the slopes of the frustum's points, each placed with an error of up to `error`.
-class SlopeBounds {
+/// Finds the visible part of a scene, bound by bound.
+class VisibleSearch {
   public:
-    SlopeBounds(const Frustum& frustum, double error, const Slopes& known = {})
-        : frustum_(frustum), nearest_(frustum.orthographic ? 0.0 : 2.0 * error), error_(error),
-          slopes_(known) {
-        if (frustum.orthographic) return;
-        const glm::dvec2 widest = glm::max(glm::abs(frustum.low), glm::abs(frustum.high));
-        error_ = 2.0 * error * (1.0 + std::max(widest.x, widest.y));
+    VisibleSearch(const Scene& scene, const SceneTree& tree, const Frustum& frustum)
+        : scene_(scene), tree_(tree), clipping_(frustum) {}
+
+    /// Extends the bound by the surfaces of all places. Returns false if it gave up.
+    bool findInPlaces(PartBound bound) {
+        if (tree_.places().empty()) return true;
+        const SpaceInView world = worldInView();
+        BoundTest test(world, bound, part_);
+        bool finds = true;
+        const auto isNever = [](std::size_t, std::size_t, std::size_t) { return false; };
+        search(tree_.boxes(), world, test, allSides, isNever,
+               [&](std::size_t place, SideBits sides) {
+                   finds = findInBatch(bound, tree_.places()[place], sides);
+                   test.follow(part_);
+                   return finds;
+               });
+        return finds;
     }
 
-    /// Whether a point, in the frustum or not, is already within the bounds.
-    bool hold(const glm::dvec3& point) const {
-        const double depth = -point.z;
-        return depth > nearest_ && hold(slopes_.right, point.x, perUnit(depth)) &&
-               hold(slopes_.up, point.y, perUnit(depth));
+    /// Extends the bound by the surfaces of a batch. Returns false if it gave up.
+    bool findInBatch(PartBound bound, std::size_t batch, SideBits sides = allSides) {
+        const BatchBoxes boxes = boxesOf(batch);
+        BoundTest test(boxes.space, bound, part_);
+        bool finds = true;
+        const auto areCulled = [&](std::size_t level, std::size_t group, std::size_t lane) {
+            return boxes.areCulled(level, group, lane);
+        };
+        search(boxes.triangles.boxes(), boxes.space, test, sides, areCulled,
+               [&](std::size_t leaf, SideBits) {
+                   for (const std::uint32_t triangle : boxes.triangles.trianglesOf(leaf)) {
+                       if (!test.mayExtend(boxes.placed.corners(triangle))) continue;
+                       boxes.placed.add(triangle, part_);
+                       test.follow(part_);
+                       ++steps_;
+                   }
+                   finds = ++steps_ < mostSteps_;
+                   return finds;
+               });
+        return finds;
     }
-    void add(const glm::dvec3& point) {
-        add(slopes_.right, point.x, -point.z, frustum_.low.x, frustum_.high.x);
-        add(slopes_.up, point.y, -point.z, frustum_.low.y, frustum_.high.y);
+
+    /// Extends all bounds by the surfaces of a batch, leaf by leaf. It costs less than searches
+    /// that visit most leaves, once for each bound.
+    void sweep(std::size_t batch) {
+        const BatchBoxes boxes = boxesOf(batch);
+        Tests tests;
+        for (std::size_t i = 0; i < tests.size(); ++i)
+            tests[i].emplace(boxes.space, partBounds[i], part_);
+        const BoxTree<float>& tree = boxes.triangles.boxes();
+        for (std::size_t group = 0; 4 * group < tree.items(); ++group) {
+            const InFrustum in = inFrustum(tree.group(0, group), boxes.space, allSides);
+            const std::array<BoundBits, 4> bounds = extendedBy(tree.group(0, group), tests);
+            const std::size_t lanes = std::min<std::size_t>(4, tree.items() - 4 * group);
+            for (std::size_t i = 0; i < lanes; ++i)
+                if (!in.outside[i] && bounds[i] != 0)
+                    sweepLeaf(4 * group + i, boxes, tests, bounds[i]);
+        }
     }
-    const Slopes& slopes() const { return slopes_; }
+
+    const VisiblePart& part() const { return part_; }
 
   private:
-    /// Factor from window coordinates to positions at a depth.
-    double perUnit(double depth) const { return frustum_.orthographic ? 1.0 : depth; }
-    bool hold(const Interval& known, double offset, double unit) const {
-        return known.low * unit <= offset - error_ && offset + error_ <= known.high * unit;
-    }
-    void add(Interval& known, double offset, double depth, double low, double high) const {
-        // x / d, with errors of e in both, is off by at most e (1 + |x / d|) / (d - e). As d > 2 e,
-        // that is at most 2 e (1 + |x / d|) / d.
-        for (const double error : {-error_, error_})
-            known.add(depth > nearest_ ? std::clamp((offset + error) / perUnit(depth), low, high)
-                      : error < 0.0    ? low
-                                       : high);
+    using Tests = std::array<std::optional<BoundTest>, partBounds.size()>;
+    using BoundBits = unsigned; ///< one bit for each of partBounds
+
+    static std::array<BoundBits, 4> extendedBy(const FourBoxes<float>& boxes, const Tests& tests) {
+        std::array<BoundBits, 4> bounds{};
+        for (std::size_t t = 0; t < tests.size(); ++t) {
+            const BoundTest::Reach reach = tests[t]->reachOf(boxes);
+            for (std::size_t i = 0; i < 4; ++i)
+                if (tests[t]->mayExtend(reach.beyond[i])) bounds[i] |= 1u << t;
+        }
+        return bounds;
     }
 
-    Frustum frustum_;
-    double nearest_, error_;
-    Slopes slopes_;
+    void sweepLeaf(std::size_t leaf, const BatchBoxes& boxes, Tests& tests, BoundBits bounds) {
+        for (const std::uint32_t triangle : boxes.triangles.trianglesOf(leaf)) {
+            const auto corners = boxes.placed.corners(triangle);
+            bool mayExtend = false;
+            for (BoundBits left = bounds; left != 0 && !mayExtend; left &= left - 1)
+                mayExtend =
+                    tests[static_cast<std::size_t>(std::countr_zero(left))]->mayExtend(corners);
+            if (!mayExtend) continue;
+            boxes.placed.add(triangle, part_);
+            for (auto& test : tests)
+                test->follow(part_);
+        }
+    }
+
+    BatchBoxes boxesOf(std::size_t batch) const {
+        return {clipping_, scene_, scene_.batches[batch], tree_.trianglesOf(batch)};
+    }
+
+    SpaceInView worldInView() const {
+        const Box& extent = tree_.extent();
+        const glm::dmat4& viewFromWorld = clipping_.frustum.viewFromWorld;
+        const glm::dvec3 center = extent.center(), half = extent.high - center;
+        double largest = 0.0;
+        for (glm::length_t axis = 0; axis < 3; ++axis) {
+            const glm::dvec4 row = glm::row(viewFromWorld, axis);
+            largest = std::max(largest, std::abs(glm::dot(row, glm::dvec4(center, 1.0))) +
+                                            glm::dot(glm::abs(glm::dvec3(row)), half));
+        }
+        const glm::dvec3 farthest = glm::max(glm::abs(extent.low), glm::abs(extent.high));
+        return {clipping_, viewFromWorld, farthest,
+                slopeErrorsOf(clipping_.frustum, (1.0 + 1e-6) * placingError * largest)};
+    }
+
+    const Scene& scene_;
+    const SceneTree& tree_;
+    ClippingFrustum clipping_;
+    VisiblePart part_;
+    std::size_t steps_ = 0; ///< leaves and triangles that searches have looked at
+    /// From here on, a sweep costs less.
+    std::size_t mostSteps_ = 1024 + tree_.leaves() / 4;
 };
-
-/// Whether a triangle in the picture's camera space certainly shows its back. `mirrored`: its
-/// transform reverses winding; `error`: bound of a GL's error in placing its corners.
-bool showsBack(const Polygon& triangle, bool orthographic, bool mirrored, double error) {
-    const glm::dvec3 &a = triangle.corners[0], &b = triangle.corners[1], &c = triangle.corners[2];
-    const glm::dvec3 ab = b - a, ac = c - a;
-    const glm::dvec3 towardsEye = orthographic ? glm::dvec3(0.0, 0.0, 1.0) : -a;
-    const double side = (mirrored ? -1.0 : 1.0) * glm::dot(glm::cross(ab, ac), towardsEye);
-    const double sides = glm::length(ab) + glm::length(ac) + error;
-    return side < -4.0 * error * sides * (sides + glm::length(towardsEye));
-}
-
-/// Whether the whole box, in the picture's camera space, is outside the frustum.
-bool isOutsideOf(const std::array<Side, 5>& sides, const Box& box) {
-    return std::any_of(sides.begin(), sides.end(), [&](const Side& side) {
-        return largestOver(box, glm::dvec4(side.normal, side.offset)) < 0.0;
-    });
-}
-
-/// For each index of the batch, whether its triangle is visible only from its front.
-std::vector<std::uint8_t> culledWhereTurnedAway(const Scene& scene, const Batch& batch) {
-    if (!scene.culls) return {};
-    std::vector<std::uint8_t> culled(batch.geometry->indices.size(), 0);
-    for (const SurfaceGroup& group : batch.geometry->groups)
-        std::fill_n(culled.begin() + group.firstIndex, group.indexCount,
-                    !scene.materials[group.material].doubleSided);
-    return culled;
-}
 
 } // namespace
 
-VisiblePart visiblePart(const Scene& scene, const Batch& batch, const Frustum& given) {
-    const Frustum frustum = widened(given);
-    const std::array<Side, 5> sides = sidesOf(frustum);
-    const glm::dmat4 viewFromBatch = frustum.viewFromWorld * batch.worldFromBatch;
-    std::vector<glm::dvec3> points;
-    points.reserve(batch.geometry->positions.size());
-    for (const glm::vec3& position : batch.geometry->positions)
-        points.emplace_back(viewFromBatch * glm::dvec4(position, 1.0));
-
-    const glm::dmat4 worldFromView = glm::inverse(frustum.viewFromWorld);
-    const auto inWorld = [&](const glm::dvec3& point) {
-        return glm::dvec3(worldFromView * glm::dvec4(point, 1.0));
-    };
-    VisiblePart part;
-    const double error = placingErrorOf(farthestOf(batch.geometry->positions), viewFromBatch);
-    SlopeBounds slopes(frustum, error);
-    const std::vector<std::uint8_t> culled = culledWhereTurnedAway(scene, batch);
-    const bool mirrored = glm::determinant(glm::dmat3(viewFromBatch)) < 0.0;
-    const auto& indices = batch.geometry->indices;
-    const auto isKnown = [&](const glm::dvec3& point) {
-        return slopes.hold(point) && part.box.holds(inWorld(point));
-    };
-    // Bounds that hold all corners of a box hold the whole box: slopes are planes through the eye.
-    const auto addsNothing = [&](const Box& box) {
-        if (isOutsideOf(sides, box)) return true;
-        if (!part.depth.contains(-box.high.z, -box.low.z)) return false;
-        for (int i = 0; i < 8; ++i)
-            if (!isKnown(box.corner(i))) return false;
+VisiblePart visiblePart(const Scene& scene, const SceneTree& tree, const Frustum& frustum,
+                        bool ground) {
+    VisibleSearch search(scene, tree, frustum);
+    const auto findAll = [&] {
+        for (const PartBound& bound : partBounds) {
+            if (ground && !search.findInBatch(bound, *tree.ground())) return false;
+            if (!search.findInPlaces(bound)) return false;
+            if (search.part().depth.empty()) return true; // nothing is visible
+        }
         return true;
     };
-    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-        if (i % runCorners == 0) {
-            const std::size_t end = std::min(i + runCorners, indices.size());
-            Box around;
-            for (std::size_t c = i; c < end; ++c)
-                around.add(points[indices[c]]);
-            if (addsNothing(around)) {
-                i = end - 3;
-                continue;
-            }
-        }
-        Polygon polygon;
-        DepthRange whole;
-        for (std::size_t c = 0; c < 3; ++c) {
-            polygon.add(points[indices[i + c]]);
-            whole.add(-polygon.corners[c].z);
-        }
-        const bool known =
-            part.depth.contains(whole.nearest, whole.farthest) &&
-            std::all_of(polygon.corners.begin(), polygon.corners.begin() + 3, isKnown);
-        if (known) continue;
-        if (!culled.empty() && culled[i] &&
-            showsBack(polygon, frustum.orthographic, mirrored, error))
-            continue;
-        for (const Side& side : sides) {
-            polygon = clipped(polygon, side.normal, side.offset);
-            if (polygon.count == 0) break;
-        }
-        for (std::size_t c = 0; c < polygon.count; ++c) {
-            part.depth.add(std::max(0.0, -polygon.corners[c].z));
-            part.box.add(inWorld(polygon.corners[c]));
-            slopes.add(polygon.corners[c]);
-        }
-    }
-    part.slopes = slopes.slopes();
-    return part;
+    if (findAll()) return search.part();
+    for (const std::uint32_t batch : tree.places())
+        search.sweep(batch);
+    if (ground) search.sweep(*tree.ground());
+    return search.part();
 }
 
-std::optional<double> nearestOfKnown(const VisiblePart& known, const Box& box,
-                                     const glm::dmat4& worldFromBatch, const Frustum& given) {
-    const Frustum frustum = widened(given);
-    const glm::dmat4 viewFromBatch = frustum.viewFromWorld * worldFromBatch;
-    std::array<glm::dvec3, 8> corners;
-    DepthRange depth;
-    for (int i = 0; i < 8; ++i) {
-        corners[i] = glm::dvec3(viewFromBatch * glm::dvec4(box.corner(i), 1.0));
-        depth.add(-corners[i].z);
-    }
-    for (const Side& side : sidesOf(frustum))
-        if (std::all_of(corners.begin(), corners.end(), [&](const glm::dvec3& corner) {
-                return glm::dot(side.normal, corner) + side.offset < 0.0;
-            }))
-            return std::numeric_limits<double>::infinity();
-    if (!known.depth.contains(depth.nearest, depth.farthest)) return std::nullopt;
-    // Bounds that hold all corners of the box hold the whole box: slopes are planes through the
-    // eye.
-    const glm::dvec3 farthest = glm::max(glm::abs(box.low), glm::abs(box.high));
-    const SlopeBounds slopes(frustum, placingErrorOf(farthest, viewFromBatch), known.slopes);
-    for (int i = 0; i < 8; ++i)
-        if (!slopes.hold(corners[i]) ||
-            !known.box.holds(glm::dvec3(worldFromBatch * glm::dvec4(box.corner(i), 1.0))))
-            return std::nullopt;
-    return std::max(0.0, depth.nearest);
+double nearestDepth(const Scene& scene, const SceneTree& tree, std::size_t batch,
+                    const Frustum& frustum) {
+    VisibleSearch search(scene, tree, frustum);
+    if (!search.findInBatch({PartBound::Of::depth, false}, batch)) search.sweep(batch);
+    return search.part().depth.nearest;
 }
 
 bool isAboveGround(const Frustum& frustum, const Batch& ground) {

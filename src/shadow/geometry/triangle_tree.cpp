@@ -1,0 +1,104 @@
+#include "src/shadow/geometry/triangle_tree.hpp"
+
+#include "preprocess/base/morton.hpp"
+#include "preprocess/base/radix_sort.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace edgeshade {
+namespace {
+
+glm::dvec3 middleOf(const Geometry& geometry, std::size_t triangle) {
+    glm::dvec3 low(std::numeric_limits<double>::infinity()), high(-low);
+    for (std::size_t c = 0; c < 3; ++c) {
+        const glm::dvec3 corner(geometry.positions[geometry.indices[3 * triangle + c]]);
+        low = glm::min(low, corner);
+        high = glm::max(high, corner);
+    }
+    return 0.5 * (low + high);
+}
+
+/// The triangles along the Morton curve.
+std::vector<std::uint32_t> alongCurve(const Geometry& geometry, Threads threads) {
+    const std::size_t count = geometry.indices.size() / 3;
+    Box all;
+    for (const glm::vec3& position : geometry.positions)
+        all.add(glm::dvec3(position));
+    std::vector<Keyed<2>> order(count);
+    forEachItem(count, itemsOfThread, threads, [&](std::size_t t) {
+        order[t] = {mortonKey(mortonCode(middleOf(geometry, t), all)),
+                    static_cast<std::uint32_t>(t)};
+    });
+    radixSort(order, threads);
+    std::vector<std::uint32_t> triangles(count);
+    std::transform(order.begin(), order.end(), triangles.begin(),
+                   [](const Keyed<2>& item) { return item.number; });
+    return triangles;
+}
+
+/// For each triangle, whether it is visible only from its front. Scenes that cull nothing may do
+/// without materials.
+std::vector<std::uint8_t> singleSidedOf(const Geometry& geometry,
+                                        const std::vector<Material>& materials) {
+    std::vector<std::uint8_t> singleSided(geometry.indices.size() / 3, 0);
+    for (const SurfaceGroup& group : geometry.groups)
+        if (group.material < materials.size())
+            std::fill_n(singleSided.begin() + group.firstIndex / 3, group.indexCount / 3,
+                        !materials[group.material].doubleSided);
+    return singleSided;
+}
+
+} // namespace
+
+TriangleTree::TriangleTree(const Geometry& geometry, const std::vector<Material>& materials,
+                           Threads threads)
+    : triangles_(alongCurve(geometry, threads)),
+      boxes_((triangles_.size() + leafSize - 1) / leafSize), cones_(boxes_.groups()) {
+    refit(geometry, materials);
+}
+
+void TriangleTree::refit(const Geometry& geometry, const std::vector<Material>& materials) {
+    const std::vector<std::uint8_t> singleSided = singleSidedOf(geometry, materials);
+    bounds_ = {};
+    for (std::size_t leaf = 0; leaf < boxes_.items(); ++leaf)
+        fitLeaf(leaf, geometry, singleSided);
+    boxes_.fit();
+    for (std::size_t level = 1; level < boxes_.levels(); ++level)
+        for (std::size_t i = 0; i < boxes_.count(level); ++i)
+            fitCone(level, i);
+    farthest_ = glm::dvec3(0.0);
+    for (const glm::vec3& position : geometry.positions)
+        farthest_ = glm::max(farthest_, glm::dvec3(glm::abs(position)));
+}
+
+void TriangleTree::fitLeaf(std::size_t leaf, const Geometry& geometry,
+                           const std::vector<std::uint8_t>& singleSided) {
+    glm::vec3 low(std::numeric_limits<float>::infinity()), high(-low);
+    std::array<NormalCone, leafSize> cones;
+    std::size_t count = 0;
+    for (const std::uint32_t triangle : trianglesOf(leaf)) {
+        std::array<glm::vec3, 3> corners;
+        for (std::size_t c = 0; c < 3; ++c) {
+            corners[c] = geometry.positions[geometry.indices[3 * triangle + c]];
+            low = glm::min(low, corners[c]);
+            high = glm::max(high, corners[c]);
+        }
+        cones[count++] =
+            singleSided[triangle] != 0 ? coneOf(corners[0], corners[1], corners[2]) : NormalCone();
+    }
+    boxes_.set(leaf, low, high);
+    bounds_.add(glm::dvec3(low));
+    bounds_.add(glm::dvec3(high));
+    cones_[boxes_.numberOf(0, leaf / 4)].set(leaf % 4, coneAround(std::span(cones).first(count)));
+}
+
+void TriangleTree::fitCone(std::size_t level, std::size_t i) {
+    std::array<NormalCone, 4> below;
+    const std::size_t count = std::min<std::size_t>(4, boxes_.count(level - 1) - 4 * i);
+    for (std::size_t lane = 0; lane < count; ++lane)
+        below[lane] = cones(level - 1, i).at(lane);
+    cones_[boxes_.numberOf(level, i / 4)].set(i % 4, coneAround(std::span(below).first(count)));
+}
+
+} // namespace edgeshade

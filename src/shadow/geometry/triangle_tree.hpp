@@ -1,0 +1,55 @@
+#pragma once
+
+#include "preprocess/base/parallel.hpp"
+#include "preprocess/scene/scene.hpp"
+#include "src/shadow/geometry/box_tree.hpp"
+#include "src/shadow/geometry/normal_cone.hpp"
+
+#include <span>
+
+namespace edgeshade {
+
+/// Boxes around the triangles of a geometry, in leaves of eight neighbours, and cones of their
+/// normals. Takes 12 bytes a triangle. It holds no positions, so that it is right only for the
+/// geometry, and the sides of its materials, that it was made from or refitted to.
+class TriangleTree {
+  public:
+    static constexpr std::size_t leafSize = 8;
+
+    TriangleTree() = default; ///< no triangles
+    /// Takes a time that grows a little more than linearly with the triangles.
+    /// `materials`: the scene's.
+    TriangleTree(const Geometry& geometry, const std::vector<Material>& materials,
+                 Threads threads = {});
+
+    /// Fits boxes and cones to other positions of the same triangles.
+    void refit(const Geometry& geometry, const std::vector<Material>& materials);
+
+    const BoxTree<float>& boxes() const { return boxes_; }
+    /// The normals in the boxes of that group; known where all triangles are single-sided.
+    const FourCones& cones(std::size_t level, std::size_t group) const {
+        return cones_[boxes_.numberOf(level, group)];
+    }
+    /// Numbers of a leaf's triangles; triangle t has the corners indices[3 t] to indices[3 t + 2].
+    std::span<const std::uint32_t> trianglesOf(std::size_t leaf) const {
+        return std::span(triangles_)
+            .subspan(leaf * leafSize, std::min(leafSize, triangles_.size() - leaf * leafSize));
+    }
+    std::size_t size() const { return triangles_.size(); } ///< number of triangles
+    const Box& bounds() const { return bounds_; }          ///< of the triangles' corners
+    /// The largest magnitude of each coordinate of all positions.
+    const glm::dvec3& farthest() const { return farthest_; }
+
+  private:
+    void fitLeaf(std::size_t leaf, const Geometry& geometry,
+                 const std::vector<std::uint8_t>& singleSided);
+    void fitCone(std::size_t level, std::size_t i);
+
+    std::vector<std::uint32_t> triangles_; ///< leaf by leaf
+    BoxTree<float> boxes_;                 ///< of the leaves
+    std::vector<FourCones> cones_;         ///< by group of boxes_
+    Box bounds_;
+    glm::dvec3 farthest_{0.0};
+};
+
+} // namespace edgeshade

@@ -1,0 +1,111 @@
+#include "src/shadow/view/scene_tree.hpp"
+
+#include "preprocess/base/morton.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace edgeshade {
+namespace {
+
+/// A batch's box in the world, but for rounding.
+Box inWorld(const Box& box, const glm::dmat4& worldFromBatch) {
+    const glm::dvec3 center(worldFromBatch * glm::dvec4(box.center(), 1.0));
+    const glm::dvec3 half = box.high - box.center();
+    glm::dvec3 reach(0.0);
+    for (glm::length_t axis = 0; axis < 3; ++axis)
+        reach += glm::abs(glm::dvec3(worldFromBatch[axis])) * half[axis];
+    return {center - reach, center + reach};
+}
+
+/// The box around a batch's origin that SceneTree::extent() is around.
+Box extentOf(const glm::dvec3& farthest, const glm::dmat4& worldFromBatch) {
+    return inWorld({-farthest, farthest}, worldFromBatch);
+}
+
+} // namespace
+
+/// Whether the tree has the batch's triangles, perhaps at other positions.
+bool SceneTree::isOf(const Batch& batch, const OfBatch& of) const {
+    if (batch.deforms()) return of.deformation == batch.deformation;
+    return of.geometry && &**of.geometry == &*batch.geometry;
+}
+
+void SceneTree::update(const Scene& scene) {
+    std::vector<std::uint8_t> doubleSided;
+    for (const Material& material : scene.materials)
+        doubleSided.push_back(material.doubleSided);
+    if (doubleSided != doubleSided_) batches_.clear();
+    doubleSided_ = std::move(doubleSided);
+    std::map<const Geometry*, CopyOnWrite<TriangleTree>> known;
+    for (const OfBatch& of : batches_)
+        if (of.geometry) known.emplace(&**of.geometry, of.triangles);
+    bool same = batches_.size() == scene.batches.size();
+    std::vector<OfBatch> before = std::exchange(batches_, {});
+    before.resize(scene.batches.size());
+    ground_.reset();
+    for (std::size_t i = 0; i < scene.batches.size(); ++i) {
+        const Batch& batch = scene.batches[i];
+        if (batch.ground) ground_ = i;
+        OfBatch& of = batches_.emplace_back(std::move(before[i]));
+        if (isOf(batch, of)) {
+            if (batch.deforms() && of.shape != batch.shape) {
+                of.triangles.edit().refit(*batch.geometry, scene.materials);
+                of.shape = batch.shape;
+            }
+            continue;
+        }
+        same = false;
+        of = {};
+        const auto found = batch.deforms() ? known.end() : known.find(&*batch.geometry);
+        of.triangles = found != known.end()
+                           ? found->second
+                           : CopyOnWrite(TriangleTree(*batch.geometry, scene.materials));
+        of.deformation = batch.deformation;
+        of.shape = batch.shape;
+        if (batch.deforms()) continue;
+        of.geometry = batch.geometry;
+        known.emplace(&*batch.geometry, of.triangles);
+    }
+    if (!same) orderPlaces(scene);
+    placeAll(scene);
+}
+
+/// Sorts the places along the Morton curve.
+void SceneTree::orderPlaces(const Scene& scene) {
+    places_.clear();
+    std::vector<glm::dvec3> middles;
+    Box all;
+    for (std::size_t i = 0; i < batches_.size(); ++i) {
+        const Box box = inWorld(batches_[i].triangles->bounds(), scene.batches[i].worldFromBatch);
+        all.add(middles.emplace_back(box.center()));
+        if (!scene.batches[i].ground && batches_[i].triangles->size() > 0)
+            places_.push_back(static_cast<std::uint32_t>(i));
+    }
+    std::vector<std::uint64_t> codes;
+    for (const glm::dvec3& middle : middles)
+        codes.push_back(mortonCode(middle, all));
+    std::stable_sort(places_.begin(), places_.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return codes[a] < codes[b]; });
+    boxes_ = BoxTree<double>(places_.size());
+}
+
+/// Fits the boxes of the places.
+void SceneTree::placeAll(const Scene& scene) {
+    extent_ = {};
+    leaves_ = 0;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        const glm::dmat4& worldFromBatch = scene.batches[places_[i]].worldFromBatch;
+        const TriangleTree& triangles = trianglesOf(places_[i]);
+        leaves_ += triangles.boxes().items();
+        const Box box = inWorld(triangles.bounds(), worldFromBatch);
+        boxes_.set(i, box.low, box.high);
+        const Box extent = extentOf(triangles.farthest(), worldFromBatch);
+        extent_.add(extent.low);
+        extent_.add(extent.high);
+    }
+    boxes_.fit();
+}
+
+} // namespace edgeshade
