@@ -2,7 +2,7 @@
 # `#include "file"` lines by that file. The shaders get no other preprocessing here; the runtime
 # puts a variant's #define lines in front.
 set(EDGESHADE_SHADER_DIR ${PROJECT_SOURCE_DIR}/shaders_es2)
-# Shaders for techniques that pages leave out (src/rivals, src/scene/build_parts.hpp).
+# Shaders for techniques that pages leave out (src/rivals, src/settings/build_parts.hpp).
 if(EMSCRIPTEN)
   file(GLOB_RECURSE left_out RELATIVE ${EDGESHADE_SHADER_DIR} ${EDGESHADE_SHADER_DIR}/rivals/*)
   list(APPEND left_out light_table.glsl)

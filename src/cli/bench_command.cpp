@@ -19,13 +19,12 @@ namespace {
 struct BenchOptions : SceneOptions {
     std::string report;
     bool synthetic = false;
-    int frames = 0; ///< 0: defaultFrames, or the default of SyntheticTask
-    int warmUp = 3;
-    std::vector<std::pair<int, int>> sizes; ///< from --sizes; empty: the view's size
-    std::vector<std::size_t> lightCounts;   ///< from --lights; empty: the scene's lights or those
-                                            ///< typed
+    int frames = 0; ///< 0: defaultFrames, or SyntheticTask's
+    int warmUp{};
+    std::vector<std::pair<int, int>> sizes; ///< of --sizes; else view's
+    std::vector<std::size_t> lightCounts;   ///< of --lights; none: the scene's or the call's
     bool lightMoves = false;
-    double circle = bench::usualCircle;
+    double circle{};
     std::optional<gl::Timing> timing;
     DrawSettings settings;
     int samples = 0;
@@ -66,25 +65,17 @@ std::vector<std::size_t> lightCountsFrom(const std::string& text) {
     return counts;
 }
 
-/// Replaces the --lights of other verbs with one that also takes numbers of scattered lights.
+/// Takes numbers, too: lights that are scattered.
 void replaceLightsOption(CLI::App& verb, BenchOptions& options) {
     verb.remove_option(verb.get_option("--lights"));
-    CLI::Option* lights =
-        verb.add_option_function<std::string>(
-                "--lights",
-                [&options](const std::string& text) {
-                    if (text == "file")
-                        options.view.lights.choice = LightChoice::file;
-                    else if (text == "default")
-                        options.view.lights.choice = LightChoice::fallback;
-                    else
-                        options.lightCounts = lightCountsFrom(text);
-                },
-                "Lights where none are typed: the file's if it has any, else a sun from above "
-                "(file); or numbers, 1 to " +
-                    std::to_string(mostLights) +
-                    ": that many point lights scattered over the scene, one number after the other")
-            ->type_name("file|default|N,N,...");
+    CLI::Option* const lights = addOption(verb, "--lights", [&options](const std::string& text) {
+        if (text == "file")
+            options.view.lights.choice = LightChoice::file;
+        else if (text == "default")
+            options.view.lights.choice = LightChoice::fallback;
+        else
+            options.lightCounts = lightCountsFrom(text);
+    });
     for (const char* typed : {"--light", "--sun", "--place"})
         lights->excludes(verb.get_option(typed));
 }
@@ -159,7 +150,7 @@ void benchScene(const BenchOptions& options) {
 void benchSynthetic(const BenchOptions& options) {
     bench::SyntheticTask task;
     if (options.frames > 0) task.turns = options.frames;
-    task.method = options.settings.multiplicity.value_or(task.method);
+    if (options.settings.has("--multiplicity")) task.method = options.settings.render.multiplicity;
     if (task.method == MultiplicityMethod::plane)
         throw Error(ExitStatus::usage, "--multiplicity plane does not go with --synthetic, whose "
                                        "opposite-vertex layouts have no planes.");
@@ -191,53 +182,26 @@ void bench(const BenchOptions& options, const CLI::App& verb) {
 } // namespace
 
 void addBenchCommand(CLI::App& program) {
-    CLI::App* verb = program.add_subcommand(
-        "bench",
-        "Measure frame times by stage over a flight through a scene, or the cost of edges");
+    CLI::App* verb =
+        program.add_subcommand("bench", "Time the frames of a flight through a scene, by stage");
     const auto options = std::make_shared<BenchOptions>();
     verb->add_option("FILE", options->input, "The scene, .gltf or .glb, packed or not");
-    verb->add_flag(
-        "--synthetic", options->synthetic,
-        "No scene: 10,000 to 90,000 edges of multiplicity 1 to 9 in every layout, vertex "
-        "work only, and a fit of the thesis' Equation 6.10");
-    verb->add_option(
-            "--frames", options->frames,
-            "Frames of the flight, 1 to 100000 (120); turns with --synthetic (9). A camera "
-            "option fixes the view")
-        ->check(CLI::Range(1, 100000))
-        ->type_name("N");
-    verb->add_option("--warm-up", options->warmUp, "Frames drawn first, not measured (3)")
-        ->check(CLI::Range(0, 1000))
-        ->type_name("N");
-    verb->add_flag("--light-moves", options->lightMoves,
-                   "Move lights in small circles, so that shadow maps are drawn in every frame; "
-                   "otherwise they are drawn once and kept");
-    verb->add_option("--light-circle", options->circle,
-                     "Radius of the circles of --light-moves: degrees for suns, 150ths of the "
-                     "scene's diagonal for lamps, 0.000001 to 10 (3)")
-        ->check(finite())
-        ->check(CLI::Range(1e-6, 10.0))
-        ->needs("--light-moves")
-        ->type_name("DEG");
-    CLI::Option* sizes =
-        verb->add_option_function<std::string>(
-                "--sizes", [options](const std::string& text) { options->sizes = sizesFrom(text); },
-                "Several picture sizes, WxH,WxH,...; all: 800x600, 1920x1080, 2560x1600, 3840x2160")
-            ->type_name("all|WxH,...");
-    verb->add_option(
-            "--against", options->against,
-            "Another setting, drawn frame by frame in turn with this one, e.g. "
-            "shadows=map,map-size=2048 or caster-error=0.01; may be repeated. Reports ratios")
-        ->type_name("SETTING")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    addTimingOption(*verb, options->timing);
+    verb->add_flag("--synthetic", options->synthetic);
+    addNumber(*verb, "--frames", options->frames);
+    addNumber(*verb, "--warm-up", options->warmUp);
+    verb->add_flag("--light-moves", options->lightMoves);
+    addNumber(*verb, "--light-circle", options->circle)->needs("--light-moves");
+    CLI::Option* const sizes = addOption(
+        *verb, "--sizes", [options](const std::string& text) { options->sizes = sizesFrom(text); });
+    addRepeated(*verb, "--against",
+                [options](const std::string& text) { options->against.push_back(text); });
+    addWords(*verb, "--timing", options->timing, timings);
     addSceneOptions(*verb, *options);
     replaceLightsOption(*verb, *options);
     sizes->excludes(verb->get_option("--size"));
     addDrawOptions(*verb, options->settings);
-    addSamplesOption(*verb, options->samples);
-    addReportOption(*verb, options->report);
+    addNumber(*verb, "--samples", options->samples);
+    addText(*verb, "--report", options->report);
     verb->callback([options, verb] {
         resolve(options->settings);
         options->view.lights.sun.requireUp();

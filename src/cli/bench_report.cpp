@@ -17,10 +17,6 @@ using Json = nlohmann::ordered_json;
 constexpr int fewFrames = 10;
 constexpr double unsteady = 1.25; // a factor of time
 
-const Choices<gl::Timing> timingNames = {{"query", gl::Timing::query},
-                                         {"finish", gl::Timing::finish},
-                                         {"processor", gl::Timing::processor}};
-
 std::string sizeName(const bench::Task& task) {
     return std::to_string(task.width) + "x" + std::to_string(task.height);
 }
@@ -91,16 +87,8 @@ Json resultJson(const bench::Task& task, const BenchSetting& setting, const benc
 
 } // namespace
 
-const char* nameOf(gl::Timing timing) {
-    switch (timing) {
-    case gl::Timing::query:
-        return "query";
-    case gl::Timing::finish:
-        return "finish";
-    case gl::Timing::processor:
-        break;
-    }
-    return "processor";
+const std::string& nameOf(gl::Timing timing) {
+    return optionOf("", "--timing").values.words.at(static_cast<std::size_t>(timing));
 }
 
 std::string softwareWarning(const gl::Capabilities& device) {
@@ -124,13 +112,6 @@ std::function<Frustum(double)> flightFor(const ViewOptions& view, const Scene& s
     return [flight, aspect, height = view.orthoHeight](double share) {
         return frustumOf(flight.cameraAt(share), aspect, height);
     };
-}
-
-void addTimingOption(CLI::App& verb, std::optional<gl::Timing>& timing) {
-    addChoice(
-        verb, "--timing", timing, timingNames,
-        "By the GPU's timer queries, by waiting, or by the processor's time on all cores, which "
-        "suits a software GL on a busy machine (query where it covers all work, else finish)");
 }
 
 void Countdown::show(double share, const std::string& doing) {

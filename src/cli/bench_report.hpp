@@ -23,14 +23,14 @@ bench::Setting toTask(const BenchSetting& setting);
 /// The flight that the program measures, or the typed camera, which stays in place.
 std::function<Frustum(double)> flightFor(const ViewOptions& view, const Scene& scene);
 
-/// `--timing query|finish|processor`; null: the best available.
-void addTimingOption(CLI::App& verb, std::optional<gl::Timing>& timing);
+/// Meanings of the words of `--timing`.
+inline const std::vector timings{gl::Timing::query, gl::Timing::finish, gl::Timing::processor};
 
 /// A warning that figures of this device are those of a processor.
 std::string softwareWarning(const gl::Capabilities& device);
 
-/// "query", "finish" or "processor".
-const char* nameOf(gl::Timing timing);
+/// Its word in `--timing`.
+const std::string& nameOf(gl::Timing timing);
 
 /// A progress bar that estimates the remaining time.
 class Countdown {

@@ -32,7 +32,7 @@ std::string stageOf(const std::string& doing) {
 struct CompareOptions : SceneOptions {
     std::string report;
     std::string heatmap;
-    int views = 16;
+    int views{};
     DrawSettings settings;
     std::vector<std::string> against;
 };
@@ -234,30 +234,17 @@ void compare(const CompareOptions&, bool) {
 } // namespace
 
 void addCompareCommand(CLI::App& program) {
-    CLI::App* verb = program.add_subcommand(
-        "compare", "Measure how many pixels are wrong, against a ray-traced oracle");
+    CLI::App* verb =
+        program.add_subcommand("compare", "Count the pixels that a ray-traced oracle calls wrong");
     const auto options = std::make_shared<CompareOptions>();
     verb->add_option("FILE", options->input, "The scene, .gltf or .glb, packed or not")->required();
-    CLI::Option* views =
-        verb->add_option("--views", options->views,
-                         "Views around and inside the scene, 1 to 1000 (16; a camera option "
-                         "leaves one view)")
-            ->check(CLI::Range(1, 1000))
-            ->type_name("N");
-    verb->add_option("--heatmap", options->heatmap,
-                     "Draw the worst view's wrong pixels: red wrongly lit, blue wrongly dark, "
-                     "green otherwise wrong, yellow ties")
-        ->type_name("OUT.png");
-    verb->add_option(
-            "--against", options->against,
-            "Another setting to compare in the same run, e.g. shadows=map,map-size=2048 or "
-            "caster-error=0.01; may be repeated. A map's bias is tuned unless map-bias is given")
-        ->type_name("SETTING")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    CLI::Option* const views = addNumber(*verb, "--views", options->views);
+    addText(*verb, "--heatmap", options->heatmap);
+    addRepeated(*verb, "--against",
+                [options](const std::string& text) { options->against.push_back(text); });
     addSceneOptions(*verb, *options);
     addDrawOptions(*verb, options->settings);
-    addReportOption(*verb, options->report);
+    addText(*verb, "--report", options->report);
     verb->callback([options, views] {
         resolve(options->settings);
         options->view.lights.sun.requireUp();

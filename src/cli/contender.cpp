@@ -11,7 +11,8 @@ lab::Contender contenderOf(const std::string& name, const DrawSettings& settings
     contender.scene = std::move(scene);
     contender.settings = settings.render;
     contender.depthSlices = settings.depthSlices;
-    contender.tuneMapBias = settings.render.shadows == ShadowMethod::map && !settings.hasMapBias();
+    contender.tuneMapBias =
+        settings.render.shadows == ShadowMethod::map && !settings.has("--map-bias");
     if (settings.instancing != InstancingChoice::automatic)
         contender.layout = layoutFor(settings.instancing, {});
     return contender;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "src/cli/options.hpp"
+#include "src/cli/setting_text.hpp"
 #include "src/render/frame/frame.hpp"
 #include "src/render/frame/light_methods.hpp"
 #include "src/rivals/rivals.hpp"
@@ -10,18 +11,14 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace edgeshade::cli {
 
-enum class InstancingChoice { automatic, on, off, multiDraw };
-
-/// The values of --filter: a single texel, those of MapFilter, or SoftShadows::pcss.
-enum class FilterChoice { none, pcf, poisson, vsm, esm, msm, pcss };
-
-/// How pictures are drawn, as typed: the settings that `--against` can vary.
+/// How pictures are drawn, as typed: what `--against` can vary.
 struct DrawSettings {
     DrawSettings() {
         render.shading = Shading::full;
@@ -29,46 +26,68 @@ struct DrawSettings {
     }
 
     RenderSettings render;
-    std::optional<MultiplicityMethod> multiplicity; ///< as typed; see resolve()
-    std::optional<VolumeLayout> layout;             ///< as typed; see resolve()
-    std::optional<SilhouetteChoice> silhouette;     ///< as typed; see resolve()
-    std::optional<BruteForceCount> count;           ///< as typed; see resolve()
+    VolumeLayout layout = VolumeLayout::planePairs; ///< that of render.multiplicity, see resolve()
     InstancingChoice instancing = InstancingChoice::automatic;
-    std::optional<int> depthSlices;               ///< null: as many as pay
-    std::optional<float> ambient;                 ///< as typed; see resolve()
-    std::optional<FilterChoice> filter;           ///< as typed; see resolve()
-    std::string environment;                      ///< a file; see resolve()
-    std::vector<std::string> fullOptions;         ///< typed options that only full shading has
-    std::vector<std::string> mapOptions;          ///< typed options that only shadow maps have
-    std::vector<std::string> volumeOptions;       ///< typed options that only shadow volumes have
-    std::vector<std::string> primitiveMapOptions; ///< typed options that only primitive maps have
-    bool typedShadowedLights = false;             ///< --shadowed-lights was typed
-    std::vector<std::string> extentOptions;       ///< typed options that only lights with an extent
-                                                  ///< have
-    std::vector<std::string> planarOptions;       ///< typed options that only planar shadows have
-    CasterChanges casters;                        ///< from `--against`: in addition to the call's
-                                                  ///< own
+    std::optional<int> depthSlices;                                    ///< nothing: as many as pay
+    FilterChoice filter{MapFilter::compare, FilterChoice::Width::one}; ///< see resolve()
+    std::string environment;     ///< a file; empty: the neutral one
+    std::set<std::string> typed; ///< names of options, of `--against` its own alone
+    bool ambientTyped = false;   ///< here, or in what this is on top of
+    CasterChanges casters;       ///< of `--against`: on top of the call's own
 
-    bool hasMapBias() const { return typedOfMaps("--map-bias"); }
-    /// Whether this option, which only shadow maps have, was typed.
-    bool typedOfMaps(const std::string& option) const;
+    bool has(const std::string& option) const { return typed.count(option) > 0; }
 };
+
+/// Calls use(setting, value...) for every setting, in the order of reports. `of`: DrawSettings,
+/// constant or not.
+template <class Use, class... Of>
+void forEachSetting(Use use, Of&... of) {
+    use(settings::shadows, of.render.shadows...);
+    use(settings::layout, of.layout...);
+    use(settings::multiplicity, of.render.multiplicity...);
+    use(settings::silhouette, of.render.silhouette...);
+    use(settings::instancing, of.instancing...);
+    use(settings::depthSlices, of.depthSlices...);
+    use(settings::shadowedLights, of.render.shadowedLights...);
+    use(settings::lightSamples, of.render.lightSamples...);
+    use(settings::shading, of.render.shading...);
+    use(settings::ambient, of.render.ambient...);
+    use(settings::exposure, of.render.exposure...);
+    use(settings::terminator, of.render.softTerminator...);
+    use(settings::environment, of.environment...);
+    use(settings::count, of.render.count...);
+    use(settings::planes, of.render.planes...);
+    use(settings::maskScale, of.render.maskScale...);
+    use(settings::mapSize, of.render.map.size...);
+    use(settings::mapBias, of.render.map.biasTexels...);
+    use(settings::mapKind, of.render.map.kind...);
+    use(settings::filter, of.filter...);
+    use(settings::pcf, of.render.map.pcf...);
+    use(settings::soft, of.render.map.soft...);
+    use(settings::cascades, of.render.map.cascades...);
+    use(settings::warp, of.render.map.warp...);
+    use(settings::primitiveMapMemory, of.render.primitiveMap.mostBytes...);
+}
 
 /// Adds the options; `settings` must outlive parsing.
 void addDrawOptions(CLI::App& verb, DrawSettings& settings);
 
-/// Reads the environment, and derives render.ambient, render.multiplicity and render.silhouette
-/// from the typed options. Plane-pair records hold planes, published ones opposite vertices, and
-/// brute force needs neither, so layout and method follow from each other. Throws Error(usage) for
-/// options that don't go together or that another one makes meaningless; InputError.
+/// Reads the environment, and works out what follows from what was typed: the ambient light from
+/// the shading, the filter's width from the filter, and layout, multiplicity and silhouettes from
+/// each other. Plane-pair records hold planes, published ones opposite vertices, brute force needs
+/// neither. Throws Error(usage) for settings that don't go together, and for options without an
+/// effect; InputError.
 void resolve(DrawSettings& settings);
 
-/// Throws Error(usage) if an option or a choice needs lights with an extent, and none of these has
-/// one.
+/// Throws Error(usage) for an option or a choice that only lights with an extent have, if none of
+/// these has one.
 void requireExtents(const DrawSettings& settings, std::span<const Light> lights);
 
-/// Throws Error(usage) if none of these lights can have the requested kind of map. An empty list
-/// means that the lights are unknown, so any kind is allowed.
+/// The first typed option that only lights with an extent have; empty: none.
+std::string extentOption(const DrawSettings& settings);
+
+/// Throws Error(usage) for a kind of map that none of these lights gets. Without lights any kind
+/// passes.
 void requireMapKind(const DrawSettings& settings, std::span<const Light> lights);
 
 /// Applies "name=value,name=value" to `base`. Names are options without dashes, e.g.
@@ -76,8 +95,7 @@ void requireMapKind(const DrawSettings& settings, std::span<const Light> lights)
 /// Error(usage).
 DrawSettings settingsFrom(const DrawSettings& base, const std::string& text);
 
-/// The shading for which materials must be read, to suit all items. `settingsOf`: the member with
-/// an item's settings.
+/// The shading that covers all of them. `settingsOf`: a member that has them.
 template <class Items, class Member = std::identity>
 Shading shadingFor(const Items& items, Member settingsOf = {}) {
     const auto isFull = [](const DrawSettings& one) { return one.render.shading == Shading::full; };
@@ -98,7 +116,7 @@ bool drawOppositeVertices(const Items& items, Member settingsOf = {}) {
 /// The layout for the choice in this context.
 SidesLayout layoutFor(InstancingChoice choice, const gl::Capabilities& capabilities);
 
-/// A short name that identifies the settings: "volumes", "volumes, mask 1/2", "map 2048", "none".
+/// A short name: "volumes", "volumes, mask 1/2", "map 2048", "none".
 std::string shortName(const DrawSettings& settings);
 
 /// The settings as report keys, named like the options.

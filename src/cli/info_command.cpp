@@ -1,8 +1,8 @@
 #include "preprocess/base/stopwatch.hpp"
 #include "preprocess/gltf/gltf_reading.hpp"
 #include "preprocess/packing/pack.hpp"
+#include "src/cli/add_options.hpp"
 #include "src/cli/commands.hpp"
-#include "src/cli/limit_options.hpp"
 #include "src/cli/options.hpp"
 #include "src/cli/report.hpp"
 #include "src/cli/summary.hpp"
@@ -45,12 +45,12 @@ void info(const InfoOptions& options) {
 } // namespace
 
 void addInfoCommand(CLI::App& program) {
-    CLI::App* verb = program.add_subcommand("info", "Print what a scene holds, packed or not");
+    CLI::App* verb = program.add_subcommand("info", "List the contents of a scene, packed or not");
     const auto options = std::make_shared<InfoOptions>();
     verb->add_option("FILE", options->input, "The scene, .gltf or .glb")->required();
     addCasterOptions(*verb, options->casters);
     addLimitOptions(*verb, options->limits);
-    addReportOption(*verb, options->report);
+    addText(*verb, "--report", options->report);
     verb->callback([options] { info(*options); });
 }
 

@@ -2,7 +2,7 @@
 
 #include "preprocess/base/error.hpp"
 #include "preprocess/scene/extremes.hpp"
-#include "src/cli/choices.hpp"
+#include "src/cli/add_options.hpp"
 #include "src/cli/number_text.hpp"
 #include "src/scene/color_text.hpp"
 #include "src/shadow/geometry/vectors.hpp"
@@ -20,11 +20,8 @@ glm::vec3 colorFrom(const std::string& text, const std::string& option) {
 }
 
 double intensityFrom(const std::string& text, const std::string& option) {
-    const double intensity = numberFrom(text, option);
-    if (intensity < 0.0) throw CLI::ValidationError(option, "'" + text + "' is below 0");
-    if (intensity > brightestLight)
-        throw CLI::ValidationError(option, "'" + text + "' is brighter than 1e12");
-    return intensity;
+    const Values intensities{{}, Interval{.low = 0.0, .high = brightestLight}};
+    return *numberIn(intensities, option, text);
 }
 
 /// The parts between colons; the last part takes the rest.
@@ -59,6 +56,8 @@ Light lightFrom(const std::string& text, const std::string& option, double w) {
 
 std::vector<Light> LightOptions::all() const {
     std::vector<Light> lights = typed;
+    for (Light& light : lights)
+        if (range && light.position.w != 0.0) light.range = *range;
     if (sun.typed()) lights.insert(lights.begin(), sun.light());
     requireFewLights(lights.size());
     return lights;
@@ -95,104 +94,49 @@ glm::dvec2 rectangleFrom(const std::string& text, const std::string& option) {
 }
 
 void addExtentOptions(CLI::App& verb, ExtentOptions& extents) {
-    CLI::Option* radius =
-        verb.add_option_function<std::string>(
-                "--light-radius",
-                [&](const std::string& text) {
-                    const double value = numberFrom(text, "--light-radius");
-                    if (!(value > 0.0))
-                        throw CLI::ValidationError("--light-radius",
-                                                   "'" + text + "' is not above 0");
-                    extents.ofPoints = {.shape = LightExtent::Shape::sphere, .radius = value};
-                },
-                "Point lights are spheres that large, in scene units, with soft shadows (points, "
-                "with hard ones)")
-            ->type_name("R");
-    CLI::Option* size =
-        verb.add_option_function<std::string>(
-                "--light-size",
-                [&](const std::string& text) {
-                    extents.ofPoints = {.shape = LightExtent::Shape::rectangle,
-                                        .size = rectangleFrom(text, "--light-size")};
-                },
-                "Point lights are rectangles that wide and high, in scene units, and shine to one "
-                "side")
-            ->type_name("W,H")
-            ->excludes(radius);
-    verb.add_option_function<std::string>(
-            "--light-direction",
-            [&](const std::string& text) {
-                const glm::dvec3 direction = vectorFrom(text, "--light-direction");
-                if (direction == glm::dvec3(0.0))
-                    throw CLI::ValidationError("--light-direction",
-                                               "'" + text + "' is no direction");
-                extents.ofPoints->direction = unitOf(direction);
-            },
-            "What such rectangles face, their width level (down)")
-        ->type_name("X,Y,Z")
-        ->needs(size);
-    verb.add_option_function<std::string>(
-            "--sun-angle",
-            [&](const std::string& text) {
-                const double degrees = numberFrom(text, "--sun-angle");
-                if (!(degrees > 0.0 && degrees <= 90.0))
-                    throw CLI::ValidationError("--sun-angle",
-                                               "'" + text + "' is not above 0 and at most 90");
-                extents.ofSuns = {.shape = LightExtent::Shape::disc,
-                                  .radius = 0.5 * glm::radians(degrees)};
-            },
-            "Directional lights are discs that measure so many degrees, with soft shadows; the "
-            "sun's is 0.53 (one direction)")
-        ->type_name("DEG");
+    const auto numberOf = [&verb](const std::string& name, const std::string& text) {
+        return *numberIn(optionOf(verb.get_name(), name).values, name, text);
+    };
+    CLI::Option* const radius =
+        addOption(verb, "--light-radius", [&extents, numberOf](const std::string& text) {
+            extents.ofPoints = {.shape = LightExtent::Shape::sphere,
+                                .radius = numberOf("--light-radius", text)};
+        });
+    CLI::Option* const size = addOption(verb, "--light-size", [&](const std::string& text) {
+        extents.ofPoints = {.shape = LightExtent::Shape::rectangle,
+                            .size = rectangleFrom(text, "--light-size")};
+    });
+    size->excludes(radius);
+    addOption(verb, "--light-direction", [&](const std::string& text) {
+        const glm::dvec3 direction = vectorFrom(text, "--light-direction");
+        if (direction == glm::dvec3(0.0))
+            throw CLI::ValidationError("--light-direction", "'" + text + "' is no direction");
+        extents.ofPoints->direction = unitOf(direction);
+    })->needs(size);
+    addOption(verb, "--sun-angle", [&extents, numberOf](const std::string& text) {
+        extents.ofSuns = {.shape = LightExtent::Shape::disc,
+                          .radius = 0.5 * glm::radians(numberOf("--sun-angle", text))};
+    });
 }
 
 } // namespace
 
 void addLightOptions(CLI::App& verb, LightOptions& options) {
-    // One callback per occurrence keeps points and suns in the order in which they were typed.
-    const auto addLights = [&](const std::string& name, double w, const std::string& help) {
-        verb.add_option_function<std::vector<std::string>>(
-                name,
-                [&options, name, w](const std::vector<std::string>& texts) {
-                    for (const std::string& text : texts) {
-                        options.typed.push_back(lightFrom(text, name, w));
-                        requireFewLights(options.typed.size());
-                    }
-                },
-                help)
-            ->type_name("X,Y,Z[:#RRGGBB[:INTENSITY]]")
-            ->expected(1)
-            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-            ->trigger_on_parse();
+    const auto addLights = [&](const std::string& name, double w) {
+        addRepeated(verb, name, [&options, name, w](const std::string& text) {
+            options.typed.push_back(lightFrom(text, name, w));
+            requireFewLights(options.typed.size());
+        });
     };
-    addLights("--light", 1.0,
-              "A point light, perhaps with a colour and candela, with which it falls off with the "
-              "square of the distance; may be repeated (the file's lights, or a sun from above)");
-    addLights("--sun", 0.0,
-              "A directional light, the direction towards it, perhaps with a colour and lux; may "
-              "be repeated");
+    addLights("--light", 1.0);
+    addLights("--sun", 0.0);
     addSunOptions(verb, options.sun);
     addExtentOptions(verb, options.extents);
-    addChoice(verb, "--lights", options.choice,
-              {{"file", LightChoice::file}, {"default", LightChoice::fallback}},
-              "Whose lights there are where none are typed: the file's if it has some, or a sun "
-              "from above (file)");
+    CLI::Option* const lights = addWords(verb, "--lights", options.choice,
+                                         std::vector{LightChoice::file, LightChoice::fallback});
     for (const char* typed : {"--light", "--sun", "--place"})
-        verb.get_option("--lights")->excludes(verb.get_option(typed));
-    // Parse after all lights: the range applies to them.
-    verb.add_option_function<std::string>(
-            "--light-range",
-            [&](const std::string& text) {
-                const double range = numberFrom(text, "--light-range");
-                if (range <= 0.0)
-                    throw CLI::ValidationError("--light-range", "'" + text + "' is not above 0");
-                for (Light& light : options.typed)
-                    if (light.position.w != 0.0) light.range = range;
-            },
-            "How far the point lights reach, in scene units; what is farther away gets nothing of "
-            "them (everywhere)")
-        ->type_name("R")
-        ->needs(verb.get_option("--light"));
+        lights->excludes(verb.get_option(typed));
+    addNumber(verb, "--light-range", options.range)->needs(verb.get_option("--light"));
 }
 
 } // namespace edgeshade::cli

@@ -9,7 +9,7 @@
 
 namespace edgeshade::cli {
 
-/// The source of a picture's lights if none were typed.
+/// The lights of a picture for which none were typed.
 enum class LightChoice {
     file,     ///< the file's; if it has none, as `fallback`
     fallback, ///< defaultLight()
@@ -30,6 +30,7 @@ struct LightOptions {
     ExtentOptions extents;
     SunOptions sun;
     std::optional<LightChoice> choice;
+    std::optional<double> range; ///< of the point lights that were typed, scene units
 
     /// The typed lights, preceded by the sun by place and time. Throws Error(usage) for too many.
     std::vector<Light> all() const;

@@ -3,6 +3,8 @@
 #include <charconv>
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
+#include <iomanip>
+#include <sstream>
 
 namespace edgeshade::cli {
 
@@ -14,6 +16,12 @@ double numberFrom(std::string_view text, const std::string& option) {
         !std::isfinite(value))
         throw CLI::ValidationError(option, "'" + std::string(text) + "' is not a finite number");
     return value;
+}
+
+std::string shortText(double value) {
+    std::ostringstream text;
+    text << std::setprecision(12) << value;
+    return text.str();
 }
 
 glm::dvec3 vectorFrom(const std::string& text, const std::string& option) {

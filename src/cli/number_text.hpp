@@ -29,7 +29,10 @@ std::array<double, count> numbersFrom(const std::string& text, const std::string
     return numbers;
 }
 
-/// Parses "x,y,z".
+/// 12 digits at the most: 0.5, 134217728.
+std::string shortText(double value);
+
+/// "x,y,z".
 glm::dvec3 vectorFrom(const std::string& text, const std::string& option);
 
 } // namespace edgeshade::cli

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "src/cli/choices.hpp"
 #include "src/cli/light_options.hpp"
 #include "src/render/frame/frame.hpp"
 #include "src/scene/ground_text.hpp"
@@ -17,13 +16,12 @@ namespace edgeshade::cli {
 
 /// `--size`, camera and lights, as typed; viewFor() resolves them against a scene's bounds.
 struct ViewOptions {
-    int width = 1920;
-    int height = 1080;
+    int width{}, height{};
     std::optional<glm::dvec3> from;
     std::optional<glm::dvec3> to;
     std::optional<glm::dmat4> cameraMatrix; ///< a rigid view matrix, in place of `from` and `to`
     std::optional<std::string> camera;      ///< one of the file's, by name or index
-    double fovDegrees = 45.0;
+    double fovDegrees{};
     std::optional<double> orthoHeight; ///< of an orthographic picture, in scene units
     DepthChoice depth;
     LightOptions lights;
@@ -56,8 +54,7 @@ struct CasterOptions {
     }
 };
 
-/// The options of every verb that draws a scene. Each verb adds `FILE` itself, with its own help
-/// text.
+/// Options of a scene, for every verb that draws one. Each verb adds `FILE` itself.
 struct SceneOptions {
     std::string input;
     ViewOptions view;
@@ -86,22 +83,15 @@ struct SceneOptions {
 /// Parses "WxH", both 1 to 65536. Throws CLI::ValidationError that names the option.
 std::pair<int, int> sizeFrom(const std::string& text, const std::string& option);
 
-/// Rejects NaN and infinity, which CLI::Range accepts.
-CLI::Validator finite();
-
-/// Each adds options to a verb; `options` must outlive parsing.
+/// Adds the options to a verb; `options` must outlive parsing.
 void addCasterOptions(CLI::App& verb, CasterOptions& options);
 void addCasterChanges(CLI::App& verb, CasterChanges& changes);
-void addReportOption(CLI::App& verb, std::string& path);
-void addSamplesOption(CLI::App& verb, int& samples);
+void addLimitOptions(CLI::App& verb, ReadingLimits& limits);
 void addSceneOptions(CLI::App& verb, SceneOptions& options);
 /// All except lights.
 void addUnlitSceneOptions(CLI::App& verb, SceneOptions& options);
 
-/// The words of `--cull`.
-inline const Choices<bool> cullNames = {{"auto", true}, {"off", false}};
-
-/// The option's word for these limits.
+/// The word that the option has for them.
 std::string glLimitsName(gl::Limits limits);
 
 /// The camera of --camera-from and --camera-to, which frames the scene if they were not typed.

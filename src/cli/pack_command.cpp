@@ -1,6 +1,6 @@
 #include "preprocess/packing/pack.hpp"
+#include "src/cli/add_options.hpp"
 #include "src/cli/commands.hpp"
-#include "src/cli/limit_options.hpp"
 #include "src/cli/options.hpp"
 #include "src/cli/report.hpp"
 #include "src/cli/summary.hpp"
@@ -31,20 +31,16 @@ void pack(const PackOptions& options) {
 } // namespace
 
 void addPackCommand(CLI::App& program) {
-    CLI::App* verb = program.add_subcommand(
-        "pack", "Add shadow data to a glTF scene and write it as one GLB that any viewer opens");
+    CLI::App* verb =
+        program.add_subcommand("pack", "Add shadow data to a glTF scene; any viewer opens the GLB");
     const auto options = std::make_shared<PackOptions>();
     verb->add_option("IN", options->input, "The scene, .gltf or .glb")->required();
     verb->add_option("OUT", options->output, "The packed scene, .glb")->required();
-    addChoice(*verb, "--encoding", options->encoding,
-              {{"expanded", Encoding::expanded},
-               {"indexed", Encoding::indexed},
-               {"none", Encoding::none}},
-              "none: edges are found at load, which is as quick as reading them; published "
-              "records for --layout published: expanded, GPU-ready, or indexed (none)");
+    addWords(*verb, "--encoding", options->encoding,
+             std::vector{Encoding::none, Encoding::indexed, Encoding::expanded});
     addCasterOptions(*verb, options->casters);
     addLimitOptions(*verb, options->limits);
-    addReportOption(*verb, options->report);
+    addText(*verb, "--report", options->report);
     verb->callback([options] { pack(*options); });
 }
 

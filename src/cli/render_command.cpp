@@ -9,7 +9,6 @@
 #include "src/gl/headless_context.hpp"
 #include "src/image/png.hpp"
 #include "src/render/accumulation/extended_lights.hpp"
-#include "src/render/accumulation/subpixels.hpp"
 #include "src/render/frame/light_methods.hpp"
 #include "src/render/frame/prepare_scene.hpp"
 #include "src/render/frame/volume_tint_pass.hpp"
@@ -34,8 +33,8 @@ struct RenderOptions : SceneOptions {
     bool mask = false;
     bool explain = false;
     DebugPicture debug = DebugPicture::none;
-    int samples = 0;
-    std::size_t subpixels = 1;
+    int samples{};
+    std::size_t subpixels{};
     bool shadeSamples = false;
 };
 
@@ -138,10 +137,10 @@ nlohmann::ordered_json lightSamplesJson(const FrameView& view) {
 void requireFitting(const RenderOptions& options, const std::vector<Light>& lights) {
     requireExtents(options.settings, lights);
     requireMapKind(options.settings, lights);
-    if (options.settings.render.countedPoints() == 0 && !options.settings.extentOptions.empty())
-        throw Error(ExitStatus::usage, options.settings.extentOptions.front() +
-                                           " does not go with --soft, which samples one map "
-                                           "from the light's centre.");
+    const std::string option = extentOption(options.settings);
+    if (options.settings.render.countedPoints() == 0 && !option.empty())
+        throw Error(ExitStatus::usage, option + " does not go with --soft, which samples one "
+                                                "map from the light's centre.");
     const bool extended = options.view.lights.extents.typed();
     if ((extended || options.subpixels > 1) && options.debug == DebugPicture::volumes)
         throw Error(ExitStatus::usage, "--debug volumes shows the volumes of lights without an "
@@ -255,36 +254,19 @@ void addRenderCommand(CLI::App& program) {
     const auto options = std::make_shared<RenderOptions>();
     verb->add_option("FILE", options->input, "The scene, .gltf or .glb, packed or not")->required();
     verb->add_option("OUT", options->output, "The picture, .png")->required();
-    verb->add_flag(
-        "--mask", options->mask,
-        "The first light's mask: white lit, black in shadow, transparent without geometry; "
-        "for a light with an extent, the visible share of its points");
-    verb->add_option("--smooth", options->subpixels,
-                     "Average this many pictures, sampled at different places within the pixels: "
-                     "antialiases shadows' boundaries too, 1 to " +
-                         std::to_string(mostSubpixels) + " (1)")
-        ->check(CLI::Range(std::size_t{1}, mostSubpixels))
-        ->type_name("N");
-    verb->add_flag("--shade-samples", options->shadeSamples,
-                   "Lights with an extent shade from each of their points, not from their centre "
-                   "by their visible share");
-    verb->add_flag("--explain", options->explain,
-                   "Print which shadow volumes are drawn, how, and why, and which are left out");
-    addChoice(*verb, "--debug", options->debug,
-              {{"none", DebugPicture::none},
-               {"volumes", DebugPicture::volumes},
-               {"primitive-map", DebugPicture::primitiveMap}},
-              "Tint the picture by the drawn shadow volumes, and print what --explain prints: "
-              "sides orange, with caps red, counting twice green; caps blue; or by primitive maps: "
-              "blue where a depth alone decides shadow, green to red for more triangles to test "
-              "(none)");
+    verb->add_flag("--mask", options->mask);
+    addSetting(*verb, settings::smooth, options->subpixels);
+    verb->add_flag("--shade-samples", options->shadeSamples);
+    verb->add_flag("--explain", options->explain);
+    addWords(*verb, "--debug", options->debug,
+             std::vector{DebugPicture::none, DebugPicture::volumes, DebugPicture::primitiveMap});
     addSceneOptions(*verb, *options);
     addDrawOptions(*verb, options->settings);
-    addSamplesOption(*verb, options->samples);
-    addReportOption(*verb, options->report);
+    addNumber(*verb, "--samples", options->samples);
+    addText(*verb, "--report", options->report);
     verb->callback([options] {
         resolve(options->settings);
-        if (options->shadeSamples) options->settings.extentOptions.push_back("--shade-samples");
+        if (options->shadeSamples) options->settings.typed.insert("--shade-samples");
         RenderSettings& drawn = options->settings.render;
         drawn.tintPrimitives = options->debug == DebugPicture::primitiveMap;
         if (drawn.tintPrimitives && (options->mask || !drawn.looksUpPrimitives()))

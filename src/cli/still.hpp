@@ -26,8 +26,8 @@ struct StillTask {
 /// Whether a mask can have values between lit and shadowed.
 bool isGrey(const StillTask& task);
 
-/// The frame of the task's n-th picture. `tree`: the scene's. `like`: another picture's frame, whose
-/// layers it takes; null: it leaves its layers to boundCountedLayers().
+/// The frame of the task's n-th picture. `tree`: the scene's. `like`: another picture's frame,
+/// whose layers it takes; null: it leaves its layers to boundCountedLayers().
 FrameView viewOf(const LoadedScene& loaded, const SceneTree& tree, const StillTask& task,
                  std::size_t n, const FrameView* like = nullptr);
 

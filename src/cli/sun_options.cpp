@@ -1,6 +1,7 @@
 #include "src/cli/sun_options.hpp"
 
 #include "preprocess/base/error.hpp"
+#include "src/cli/add_options.hpp"
 #include "src/cli/number_text.hpp"
 #include "src/sun/direction.hpp"
 
@@ -45,53 +46,21 @@ void SunOptions::requireUp() const {
                                            ", so there is no shadow of it to measure.");
 }
 
-CLI::Option* addPlaceOption(CLI::App& verb, std::optional<sun::Place>& place,
-                            const std::string& help) {
-    return verb
-        .add_option_function<std::string>(
-            "--place",
-            [&](const std::string& text) {
-                const auto at = numbersFrom<2>(text, "--place", "of the form LAT,LON");
-                place = readAs("--place", [&] { return sun::placeAt(at[0], at[1]); });
-            },
-            help)
-        ->type_name("LAT,LON");
-}
-
-CLI::Option* addNorthOption(CLI::App& verb, double& north) {
-    return verb
-        .add_option_function<std::string>(
-            "--north",
-            [&](const std::string& text) {
-                north = numberFrom(text, "--north");
-                if (std::abs(north) > 360.0)
-                    throw CLI::ValidationError("--north",
-                                               "'" + text + "' is not between -360 and 360");
-            },
-            "Where the scene's north is: degrees clockwise from -Z, seen from above (0: -Z is "
-            "north, +X east)")
-        ->type_name("DEG");
+CLI::Option* addPlaceOption(CLI::App& verb, std::optional<sun::Place>& place) {
+    return addOption(verb, "--place", [&](const std::string& text) {
+        const auto at = numbersFrom<2>(text, "--place", "of the form LAT,LON");
+        place = readAs("--place", [&] { return sun::placeAt(at[0], at[1]); });
+    });
 }
 
 void addSunOptions(CLI::App& verb, SunOptions& options) {
-    CLI::Option* const place =
-        addPlaceOption(verb, options.place,
-                       "A sun as it stands over this place at --time-of-day: degrees north and "
-                       "east, those south and west negative. It is a light like --sun, the first "
-                       "one; where it is below the horizon it is left out");
-    CLI::Option* const time =
-        verb.add_option_function<std::string>(
-                "--time-of-day",
-                [&](const std::string& text) {
-                    options.time =
-                        readAs("--time-of-day", [&] { return sun::localTimeFromText(text); });
-                },
-                "When that is, of the years 1900 to 2100, with the clock's offset from UTC, e.g. "
-                "2026-06-21T14:30+02:00")
-            ->type_name("TIME");
+    CLI::Option* const place = addPlaceOption(verb, options.place);
+    CLI::Option* const time = addOption(verb, "--time-of-day", [&](const std::string& text) {
+        options.time = readAs("--time-of-day", [&] { return sun::localTimeFromText(text); });
+    });
     place->needs(time)->excludes(verb.get_option("--sun"));
     time->needs(place);
-    addNorthOption(verb, options.north)->needs(place);
+    addNumber(verb, "--north", options.north)->needs(place);
 }
 
 } // namespace edgeshade::cli

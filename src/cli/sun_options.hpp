@@ -45,10 +45,8 @@ auto readAs(const std::string& option, Read read) {
     }
 }
 
-/// `--place` and `--north`.
-CLI::Option* addPlaceOption(CLI::App& verb, std::optional<sun::Place>& place,
-                            const std::string& help);
-CLI::Option* addNorthOption(CLI::App& verb, double& north);
+/// Adds `--place`.
+CLI::Option* addPlaceOption(CLI::App& verb, std::optional<sun::Place>& place);
 
 /// Adds the options to a verb that has `--sun`, which excludes them; `options` must outlive
 /// parsing.

@@ -200,11 +200,11 @@ void sunHours(const SunHoursOptions&) {
 
 void addSunHoursCommand(CLI::App& program) {
     CLI::App* verb = program.add_subcommand(
-        "sunhours", "Count the hours of sun that each visible surface gets, exactly, as a picture "
-                    "and a report");
+        "sunhours",
+        "Count the hours of sunlight on each visible surface, as a picture and a report");
     const auto options = std::make_shared<SunHoursOptions>();
     verb->add_option("FILE", options->input, "The scene, .gltf or .glb, packed or not")->required();
-    verb->add_option("OUT", options->files.picture, "The picture, .png; with --part the part")
+    verb->add_option("OUT", options->files.picture, "The picture, .png, or the part of --part")
         ->required();
     addSunHoursOptions(*verb, *options);
     verb->callback([options] {

@@ -32,7 +32,8 @@ void merge(const MergeOptions& options) {
 
 void addSunHoursMergeCommand(CLI::App& program) {
     CLI::App* verb = program.add_subcommand(
-        "sunhours-merge", "Join the parts of a sunhours run, byte for byte equal to a whole run");
+        "sunhours-merge",
+        "Join the parts of a run of sunhours: the same bytes as those of a whole run");
     const auto options = std::make_shared<MergeOptions>();
     verb->add_option("OUT", options->files.picture, "The picture, .png")->required();
     verb->add_option("PARTS", options->parts, "All parts of the run, in any order")->required();

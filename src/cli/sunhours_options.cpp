@@ -1,5 +1,6 @@
 #include "src/cli/sunhours_options.hpp"
 
+#include "src/cli/add_options.hpp"
 #include "src/cli/number_text.hpp"
 
 #include <algorithm>
@@ -13,14 +14,7 @@ namespace {
 
 using namespace std::chrono;
 
-std::string presetWords() {
-    std::string words;
-    for (const hours::Preset& preset : hours::presets())
-        words += (words.empty() ? "" : "|") + std::string(preset.name);
-    return words;
-}
-
-/// Parses "9" or "9:30" as minutes since 0:00; null if it is neither.
+/// "9" or "9:30", minutes since 0:00; nothing where it is neither.
 std::optional<minutes> clockFrom(std::string_view text) {
     int hour = 0, minute = 0;
     const char* const end = text.data() + text.size();
@@ -73,84 +67,41 @@ std::pair<std::size_t, std::size_t> partFrom(const std::string& text) {
     return {part, of};
 }
 
-template <class Use>
-CLI::Option* addText(CLI::App& verb, const std::string& name, const std::string& type,
-                     const std::string& help, Use use) {
-    return verb.add_option_function<std::string>(name, use, help)->type_name(type);
-}
-
 void addDates(CLI::App& verb, SunHoursOptions& options) {
-    const auto addDate = [&](const std::string& name, std::optional<sys_days>& date,
-                             const std::string& help) {
-        return addText(verb, name, "DATE", help, [&date, name](const std::string& text) {
+    const auto addDate = [&](const std::string& name, std::optional<sys_days>& date) {
+        return addOption(verb, name, [&date, name](const std::string& text) {
             date = readAs(name, [&] { return sun::dateFromText(text); });
         });
     };
-    CLI::Option* const date = addDate("--date", options.date, "The day, e.g. 2026-03-21");
-    CLI::Option* const from = addDate("--from", options.from, "The first of several days");
-    CLI::Option* const to = addDate("--to", options.to, "The last day");
+    CLI::Option* const date = addDate("--date", options.date);
+    CLI::Option* const from = addDate("--from", options.from);
+    CLI::Option* const to = addDate("--to", options.to);
     from->needs(to)->excludes(date);
     to->needs(from)->excludes(date);
-    addText(verb, "--step", "MIN",
-            "Minutes that each sun position stands for, as their middle; they must divide the "
-            "day's clock hours (10)",
-            [&](const std::string& text) {
-                const double step = numberFrom(text, "--step");
-                if (step != std::floor(step) || step < 1.0 || step > 1440.0)
-                    throw CLI::ValidationError(
-                        "--step", "'" + text + "' is not a whole number from 1 to 1440");
-                options.typed.step = minutes(static_cast<int>(step));
-            });
-    addText(verb, "--hours", "A-B",
-            "Clock hours of each day that count, e.g. 9-17 or 9:30-15:00 (0-24)",
-            [&](const std::string& text) {
-                const std::size_t dash = std::min(text.find('-'), text.size() - 1);
-                const auto opens = clockFrom(std::string_view(text).substr(0, dash)),
-                           closes = clockFrom(std::string_view(text).substr(dash + 1));
-                if (!opens || !closes || *opens >= *closes)
-                    throw CLI::ValidationError("--hours",
-                                               "'" + text +
-                                                   "' is not of the form A-B with clock hours A "
-                                                   "before B, both from 0 to 24");
-                options.typed.opens = *opens;
-                options.typed.closes = *closes;
-            });
-    addText(verb, "--utc-offset", "+HH:MM",
-            "The clock's offset from UTC, summer time included (whole hours, nearest to the "
-            "longitude / 15)",
-            [&](const std::string& text) {
-                options.offset = readAs("--utc-offset", [&] { return sun::offsetFromText(text); });
-            });
-    addText(verb, "--min-altitude", "DEG",
-            "The sun counts while it appears higher than this, degrees from 0 to 90 (0)",
-            [&](const std::string& text) {
-                options.typed.minAltitude = numberFrom(text, "--min-altitude");
-                if (options.typed.minAltitude < 0.0 || options.typed.minAltitude > 90.0)
-                    throw CLI::ValidationError("--min-altitude",
-                                               "'" + text + "' is not between 0 and 90");
-            });
+    addNumber(verb, "--step", options.step);
+    addOption(verb, "--hours", [&](const std::string& text) {
+        const std::size_t dash = std::min(text.find('-'), text.size() - 1);
+        const auto opens = clockFrom(std::string_view(text).substr(0, dash)),
+                   closes = clockFrom(std::string_view(text).substr(dash + 1));
+        if (!opens || !closes || *opens >= *closes)
+            throw CLI::ValidationError("--hours", "'" + text +
+                                                      "' is not of the form A-B with clock hours A "
+                                                      "before B, both from 0 to 24");
+        options.typed.opens = *opens;
+        options.typed.closes = *closes;
+    });
+    addOption(verb, "--utc-offset", [&](const std::string& text) {
+        options.offset = readAs("--utc-offset", [&] { return sun::offsetFromText(text); });
+    });
+    addNumber(verb, "--min-altitude", options.typed.minAltitude);
 }
 
 void addThresholds(CLI::App& verb, SunHoursOptions& options) {
-    CLI::Option* const threshold = addText(
-        verb, "--threshold", "H",
-        "Hours of sun a day: the report gives the share of the area that has them",
-        [&](const std::string& text) {
-            options.threshold = numberFrom(text, "--threshold");
-            if (*options.threshold < 0.0 || *options.threshold > 24.0)
-                throw CLI::ValidationError("--threshold", "'" + text + "' is not between 0 and 24");
-        });
-    addText(verb, "--preset", presetWords(),
-            "The threshold of a recommendation, EN 17037's 1.5, 3 or 4 hours or BRE 209's 2 hours "
-            "on half of a garden; and without a typed date, 21 March " +
-                std::to_string(static_cast<int>(hours::presetYear)),
-            [&](const std::string& text) {
-                options.preset = hours::findPreset(text);
-                if (!options.preset)
-                    throw CLI::ValidationError("--preset",
-                                               "'" + text + "' is not one of " + presetWords());
-            })
-        ->excludes(threshold);
+    CLI::Option* const threshold = addNumber(verb, "--threshold", options.threshold);
+    const Values& presets = optionOf(verb.get_name(), "--preset").values;
+    addOption(verb, "--preset", [&](const std::string& text) {
+        options.preset = &hours::presets()[wordIn(presets, "--preset", text)];
+    })->excludes(threshold);
 }
 
 } // namespace
@@ -158,6 +109,7 @@ void addThresholds(CLI::App& verb, SunHoursOptions& options) {
 hours::Schedule SunHoursOptions::schedule() const {
     hours::Schedule schedule = typed;
     schedule.place = *place;
+    schedule.step = minutes(step);
     schedule.offset = offset.value_or(hours::offsetNear(place->longitude));
     if (date) {
         schedule.from = schedule.to = *date;
@@ -225,45 +177,26 @@ nlohmann::ordered_json SunHoursOptions::settingsJson(const hours::Schedule& sche
 }
 
 void addSunHoursFileOptions(CLI::App& verb, SunHoursFiles& files) {
-    verb.add_option("--counts", files.counts,
-                    "Write how many sun positions reach each pixel, 16-bit grey; transparent "
-                    "without geometry")
-        ->type_name("OUT.png");
-    addReportOption(verb, files.report);
+    addText(verb, "--counts", files.counts);
+    addText(verb, "--report", files.report);
 }
 
 void addSunHoursOptions(CLI::App& verb, SunHoursOptions& options) {
-    addPlaceOption(verb, options.place,
-                   "The scene's latitude and longitude, degrees; south and "
-                   "west negative")
-        ->required();
+    addPlaceOption(verb, options.place)->required();
     addDates(verb, options);
-    addNorthOption(verb, options.typed.north);
+    addNumber(verb, "--north", options.typed.north);
     addThresholds(verb, options);
     addUnlitSceneOptions(verb, options);
-    CLI::Option* const plan =
-        verb.add_flag("--plan", options.plan, "The whole scene from straight above, north up");
+    CLI::Option* const plan = verb.add_flag("--plan", options.plan);
     for (const char* other : {"--camera", "--camera-from", "--camera-to", "--camera-matrix",
                               "--ortho", "--fov", "--near"})
         plan->excludes(verb.get_option(other));
-    verb.add_option_function<std::vector<std::string>>(
-            "--at",
-            [&](const std::vector<std::string>& texts) {
-                for (const std::string& text : texts)
-                    options.probes.push_back(probeFrom(text));
-            },
-            "A point whose hours of sun the report lists, optionally with the direction that "
-            "it faces; may be repeated")
-        ->type_name("X,Y,Z[,NX,NY,NZ]")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    addRepeated(verb, "--at",
+                [&](const std::string& text) { options.probes.push_back(probeFrom(text)); });
     addSunHoursFileOptions(verb, options.files);
-    CLI::Option* const part =
-        addText(verb, "--part", "K/N",
-                "Only every N-th sun position, from the K-th on; OUT becomes a part for "
-                "sunhours-merge",
-                [&](const std::string& text) { options.part = partFrom(text); });
-    part->excludes(verb.get_option("--counts"))->excludes(verb.get_option("--report"));
+    addOption(verb, "--part", [&](const std::string& text) { options.part = partFrom(text); })
+        ->excludes(verb.get_option("--counts"))
+        ->excludes(verb.get_option("--report"));
 }
 
 } // namespace edgeshade::cli

@@ -25,7 +25,8 @@ struct SunHoursOptions : SceneOptions {
     std::optional<sun::Place> place;
     std::optional<std::chrono::sys_days> date, from, to;
     std::optional<std::chrono::minutes> offset;
-    hours::Schedule typed; ///< holds only step, hours, least altitude and north
+    int step{};            ///< minutes that each sun position stands for
+    hours::Schedule typed; ///< its hours, least altitude and north
     bool plan = false;
     std::optional<double> threshold; ///< hours per day
     const hours::Preset* preset = nullptr;

@@ -100,59 +100,23 @@ void tradeoff(const TradeoffOptions&) {
 
 void addTradeoffCommand(CLI::App& program) {
     CLI::App* verb = program.add_subcommand(
-        "tradeoff", "Measure the cost and the errors of every setting: a table, a plot, and the "
-                    "setting to take");
+        "tradeoff",
+        "Weigh the time of each setting against its wrong pixels, and find the best one");
     const auto options = std::make_shared<TradeoffOptions>();
     verb->add_option("FILE", options->input, "The scene, .gltf or .glb, packed or not")->required();
-    verb->add_option("--plot", options->plot,
-                     "Plot draw time against wrong pixels, as .svg or .png")
-        ->type_name("OUT");
-    verb->add_option("--budget-ms", options->budgetMs,
-                     "Name the setting with the fewest wrong pixels within this frame time")
-        ->check(finite())
-        ->check(CLI::PositiveNumber)
-        ->type_name("MS");
-    verb->add_option("--max-wrong-percent", options->maxWrongPercent,
-                     "Name the fastest setting with no more wrong pixels than this, in percent of "
-                     "visible pixels")
-        ->check(finite())
-        ->check(CLI::Range(0.0, 100.0))
-        ->type_name("P");
-    CLI::Option* frames =
-        verb->add_option(
-                "--frames", options->frames,
-                "Frames to time for settings not dominated early, 1 to 100000 (40, as time "
-                "allows)")
-            ->check(CLI::Range(1, 100000))
-            ->type_name("N");
-    CLI::Option* views =
-        verb->add_option("--views", options->views,
-                         "Views to count their wrong pixels in, the views of compare, 1 to 1000 "
-                         "(16; a camera option leaves one)")
-            ->check(CLI::Range(1, 1000))
-            ->type_name("N");
-    verb->add_option("--time-limit", options->timeLimit,
-                     "Time for the whole run, seconds (240). Typed --frames and --views are "
-                     "completed however long they take")
-        ->check(finite())
-        ->check(CLI::PositiveNumber)
-        ->type_name("SECONDS");
-    verb->add_option("--largest-map", options->largestMap,
-                     "Leave larger shadow maps out (8192; its cube takes 1.9 GB)")
-        ->check(CLI::Range(512, 8192))
-        ->type_name("N");
-    verb->add_option("--against", options->against,
-                     "Another setting to measure, e.g. shadows=map,map-size=3000 or "
-                     "caster-error=0.01; may be repeated")
-        ->type_name("SETTING")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    verb->add_flag("--light-moves", options->lightMoves,
-                   "Move lights in small circles while timing, so that shadow maps are drawn in "
-                   "every frame; otherwise they are kept");
-    addTimingOption(*verb, options->timing);
+    addText(*verb, "--plot", options->plot);
+    addNumber(*verb, "--budget-ms", options->budgetMs);
+    addNumber(*verb, "--max-wrong-percent", options->maxWrongPercent);
+    CLI::Option* const frames = addNumber(*verb, "--frames", options->frames);
+    CLI::Option* const views = addNumber(*verb, "--views", options->views);
+    addNumber(*verb, "--time-limit", options->timeLimit);
+    addNumber(*verb, "--largest-map", options->largestMap);
+    addRepeated(*verb, "--against",
+                [options](const std::string& text) { options->against.push_back(text); });
+    verb->add_flag("--light-moves", options->lightMoves);
+    addWords(*verb, "--timing", options->timing, timings);
     addSceneOptions(*verb, *options);
-    addReportOption(*verb, options->report);
+    addText(*verb, "--report", options->report);
     verb->callback([options, frames, views] {
         options->framesTyped = frames->count() > 0;
         options->viewsTyped = views->count() > 0;

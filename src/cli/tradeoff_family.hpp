@@ -1,17 +1,17 @@
 #pragma once
 
+#include "src/cli/draw_settings.hpp"
+
 #include <string>
 #include <vector>
 
 namespace edgeshade::cli {
 
-/// The family of a setting's shadows, for people: "volumes", "maps, vsm", "cascades". `text`: the
-/// setting as `--against` takes it. The family comes from the words of the text, so a new kind of
-/// map, filter or method gets its own family.
-std::string familyOf(const std::string& text);
+/// The kind of shadows of a setting, in words of people: "volumes", "maps, vsm", "cascades".
+std::string familyOf(const DrawSettings& settings);
 
-/// The families of these settings and the built-in ones, each once, in an order that does not
-/// depend on the settings.
-std::vector<std::string> familiesOf(const std::vector<std::string>& texts);
+/// These families and those that are always there, each once, in an order that doesn't change as
+/// settings come and go.
+std::vector<std::string> allFamilies(const std::vector<std::string>& families);
 
 } // namespace edgeshade::cli

@@ -9,12 +9,12 @@ namespace edgeshade::cli {
 struct TradeoffOptions : SceneOptions {
     std::string report;
     std::string plot;
-    int frames = 40;
+    int frames{};
     bool framesTyped = false;
-    int views = 16;
+    int views{};
     bool viewsTyped = false;
-    double timeLimit = 240.0; ///< seconds
-    int largestMap = 8192;
+    double timeLimit{}; ///< seconds
+    int largestMap{};
     bool lightMoves = false;
     std::optional<double> budgetMs;
     std::optional<double> maxWrongPercent;

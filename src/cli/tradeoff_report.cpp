@@ -20,7 +20,7 @@ std::string endingOf(const std::string& path) {
 
 plot::TradePoint pointOf(const TradeRow& row, const std::vector<TradeRow>& rows,
                          const std::vector<std::string>& families) {
-    const auto family = std::ranges::find(families, familyOf(row.setting.text));
+    const auto family = std::ranges::find(families, familyOf(row.settings));
     return {row.setting.name,
             static_cast<std::size_t>(family - families.begin()),
             row.estimate.milliseconds,
@@ -97,10 +97,9 @@ void writeTradePlot(const TradeoffOptions& options, const std::vector<TradeRow>&
         std::to_string(measuring.views) + " views against the oracle; " + measuring.device.renderer;
     trade.timeLabel = measuring.timing == gl::Timing::processor ? "processor time of a frame, ms"
                                                                 : "time of a frame, ms";
-    std::vector<std::string> texts;
     for (const TradeRow& row : rows)
-        texts.push_back(row.setting.text);
-    trade.families = familiesOf(texts);
+        trade.families.push_back(familyOf(row.settings));
+    trade.families = allFamilies(trade.families);
     for (const TradeRow& row : rows)
         trade.points.push_back(pointOf(row, rows, trade.families));
     const auto canvas = endingOf(options.plot) == ".png"

@@ -8,7 +8,6 @@
 #include "src/cli/options.hpp"
 #include "src/cli/report.hpp"
 #include "src/desktop/app.hpp"
-#include "src/render/accumulation/subpixels.hpp"
 #include "src/scene/pose.hpp"
 #include "src/shadow/view/light_budget.hpp"
 #include "src/shadow/view/scene_cameras.hpp"
@@ -25,10 +24,10 @@ using Json = nlohmann::ordered_json;
 struct WindowOptions : SceneOptions {
     std::string screenshot;
     DrawSettings settings;
-    int samples = 0;
-    std::size_t smooth = 1;
+    int samples{};
+    std::size_t smooth{};
     bool sunHours = false;
-    int sunHoursStep = viewer::ViewState().sunHoursStep;
+    int sunHoursStep{}; ///< minutes
 };
 
 /// An upright camera, from which the user can go on: it drops any roll.
@@ -72,9 +71,7 @@ Json stateFrom(const WindowOptions& options, const Scene& scene,
     state.lightSamples = render.lightSamples;
     requireExtents(options.settings, state.lights);
     requireMapKind(options.settings, state.lights);
-    state.left = {render.shadows,    render.map.size, render.multiplicity,
-                  render.maskScale,  render.map.kind, render.map.cascades,
-                  render.map.filter, render.map.pcf,  render.map.warp};
+    setSide(state.left, render);
     state.shading = render.shading;
     state.ambient = render.ambient;
     state.exposure = render.exposure;
@@ -149,34 +146,18 @@ void view(const WindowOptions& options) {
 } // namespace
 
 void addViewCommand(CLI::App& program) {
-    CLI::App* verb = program.add_subcommand(
-        "view", "Show a scene in a window; H there lists the keys, files can be dropped onto it");
+    CLI::App* verb =
+        program.add_subcommand("view", "Show a scene in a window; its key H lists the keys");
     const auto options = std::make_shared<WindowOptions>();
-    options->view.width = 1280;
-    options->view.height = 720;
-    options->settings.render.shadows = ShadowMethod::automatic;
     verb->add_option("FILE", options->input, "The scene, .gltf or .glb, packed or not");
-    verb->add_option("--screenshot", options->screenshot,
-                     "Draw one picture in the window, save it and exit")
-        ->type_name("OUT.png")
-        ->needs(verb->get_option("FILE"));
+    addText(*verb, "--screenshot", options->screenshot)->needs(verb->get_option("FILE"));
     addSceneOptions(*verb, *options);
     addDrawOptions(*verb, options->settings);
-    addSamplesOption(*verb, options->samples);
-    verb->add_option("--smooth", options->smooth,
-                     "At rest, average this many pictures, sampled within the pixels; 1: no "
-                     "smoothing (1)")
-        ->type_name("N")
-        ->check(CLI::Range(std::size_t{1}, mostSubpixels));
-    CLI::Option* const sunHours =
-        verb->add_flag("--sun-hours", options->sunHours,
-                       "Show the hours of sun that surfaces get on the day of --time-of-day, as "
-                       "sunhours counts them, once nothing moves")
-            ->needs(verb->get_option("--place"));
-    verb->add_option("--step", options->sunHoursStep,
-                     "Minutes that each sun position stands for; they must divide a day (10)")
-        ->type_name("MIN")
-        ->needs(sunHours);
+    addNumber(*verb, "--samples", options->samples);
+    addSetting(*verb, settings::smooth, options->smooth);
+    CLI::Option* const sunHours = verb->add_flag("--sun-hours", options->sunHours);
+    sunHours->needs(verb->get_option("--place"));
+    addNumber(*verb, "--step", options->sunHoursStep)->needs(sunHours);
     verb->callback([options] {
         resolve(options->settings);
         view(*options);

@@ -1,5 +1,5 @@
 #include "src/scene/gpu_scene.hpp"
-#include "src/scene/build_parts.hpp"
+#include "src/settings/build_parts.hpp"
 
 namespace edgeshade {
 namespace {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "src/scene/sides_layout.hpp"
+#include "src/settings/choices.hpp"
 
 #include <compare>
 #include <cstddef>
@@ -13,14 +14,6 @@ namespace edgeshade {
 struct Batch;
 struct GroupTopology;
 struct LoadedScene;
-
-/// The layouts of records that shadow volumes are drawn from.
-enum class VolumeLayout {
-    planePairs,       ///< records that hold what the scene requires:
-                      ///< preprocess/volumes/plane_pair_data.hpp
-    oppositeVertices, ///< one global multiplicity, every edge, opposite vertices: the baseline
-    triangles,        ///< casting triangles alone, each with a volume of its own: brute force
-};
 
 /// One batch's records on the GPU, in a layout that a RecordSource made.
 class RecordBuffers {

@@ -1,7 +1,7 @@
 #include "src/scene/scene_facts.hpp"
 
 #include "src/gl/float_table.hpp"
-#include "src/scene/build_parts.hpp"
+#include "src/settings/build_parts.hpp"
 #include "src/shadow/silhouette/count_silhouettes.hpp"
 
 #include <algorithm>

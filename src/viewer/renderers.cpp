@@ -1,38 +1,26 @@
 #include "src/viewer/renderers.hpp"
 
+#include "src/settings/settings.hpp"
+
 namespace edgeshade::viewer {
 
 /// Leaves out settings without effect, so that sides that draw alike share a renderer.
 Renderers::Key Renderers::keyOf(const SideSettings& side, Shading shading) {
-    const bool map = side.shadows == ShadowMethod::map;
-    const bool volumes =
-        !map && side.shadows != ShadowMethod::planar && side.shadows != ShadowMethod::none;
-    return {side.shadows,
-            map ? side.mapSize : 0,
-            volumes ? side.multiplicity : MultiplicityMethod::plane,
-            volumes ? side.maskScale : 1,
-            map ? side.mapKind : MapKind::cube,
-            map && side.mapKind == MapKind::cascades ? side.cascades : 0,
-            map ? side.filter : MapFilter::compare,
-            map ? side.pcf : 1,
-            map && side.mapKind == MapKind::warped ? side.warp : WarpGrid::rectilinear,
-            shading};
+    SideSettings effective;
+    forEachSideSetting(
+        [&](const auto& setting, auto& value, const auto& chosen) {
+            if (holds(setting.matters, side)) value = chosen;
+        },
+        effective, side);
+    return {effective, shading};
 }
 
 Renderer& Renderers::of(const SideSettings& side, const ViewState& state) {
     std::unique_ptr<Renderer>& renderer = renderers_[keyOf(side, state.shading)];
     if (!renderer) {
         RenderSettings settings = base_;
-        settings.shadows = side.shadows;
+        setSide(settings, side);
         settings.shading = state.shading;
-        settings.multiplicity = side.multiplicity;
-        settings.map.size = side.mapSize;
-        settings.map.kind = side.mapKind;
-        settings.map.cascades = side.cascades;
-        settings.map.filter = side.filter;
-        settings.map.pcf = side.pcf;
-        settings.map.warp = side.warp;
-        settings.maskScale = side.maskScale;
         renderer = std::make_unique<Renderer>(settings, capabilities_);
     }
     renderer->setAmbient(state.ambient);

@@ -36,8 +36,7 @@ class Renderers {
     std::size_t volumeBytes() const;
 
   private:
-    using Key = std::tuple<ShadowMethod, int, MultiplicityMethod, int, MapKind, int, MapFilter, int,
-                           WarpGrid, Shading>;
+    using Key = std::pair<SideSettings, Shading>;
     static Key keyOf(const SideSettings& side, Shading shading);
 
     RenderSettings base_;

@@ -2,18 +2,18 @@
 
 #include "preprocess/base/error.hpp"
 #include "preprocess/scene/extremes.hpp"
+#include "src/settings/domains.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
-#include <utility>
+#include <string_view>
+#include <vector>
 
 namespace edgeshade::viewer {
-
-template <class Value, std::size_t N>
-using Words = std::array<std::pair<const char*, Value>, N>;
 
 /// A value of the state with its name for messages.
 class Field {
@@ -32,12 +32,26 @@ class Field {
     void forEachMember(Read read) const {
         if (!value_.is_object()) fail("an object");
         for (const auto& [key, value] : value_.items()) {
-            const Field member(name_ == rootName ? key : name_ + "." + key, value);
+            const Field member(memberName(key), value);
             if (!read(key, member))
                 throw Error(ExitStatus::usage, "There is no '" + member.name_ +
                                                    "' in a view's state (its value is " +
                                                    member.text() + ").");
         }
+    }
+
+    std::optional<Field> member(const char* key) const {
+        if (!value_.is_object()) fail("an object");
+        const auto found = value_.find(key);
+        if (found == value_.end()) return std::nullopt;
+        return Field(memberName(key), *found);
+    }
+
+    /// Refuses members of other keys.
+    void requireMembersAmong(const std::vector<std::string_view>& keys) const {
+        forEachMember([&](const std::string& key, const Field&) {
+            return std::find(keys.begin(), keys.end(), key) != keys.end();
+        });
     }
 
     /// Calls read(Field) for every item.
@@ -76,14 +90,17 @@ class Field {
         return value_.get<std::string>();
     }
 
-    template <class Value, std::size_t N>
-    Value oneOf(const Words<Value, N>& words) const {
-        std::string all;
-        for (const auto& [word, meaning] : words) {
-            if (value_ == word) return meaning;
-            all += (all.empty() ? "" : ", ") + std::string(word);
-        }
-        fail("one of " + all);
+    /// A value of a setting (src/settings/domains.hpp). Words for integers are read as these.
+    template <class Domain>
+    auto in(const Domain& domain) const {
+        if constexpr (requires { domain.all; })
+            return oneOf(domain.all, [](int number) { return Json(number); });
+        else if constexpr (requires { domain.size(); })
+            return oneOf(domain, [](const auto& word) { return jsonOf(word); }).value;
+        else if constexpr (std::is_same_v<Domain, WholeRange>)
+            return integer(static_cast<int>(domain.low), static_cast<int>(domain.high));
+        else
+            return number(domain.low, domain.high);
     }
 
     template <int N>
@@ -98,6 +115,28 @@ class Field {
     static constexpr const char* rootName = "the view's state";
 
   private:
+    std::string memberName(const std::string& key) const {
+        return name_ == rootName ? key : name_ + "." + key;
+    }
+
+    static Json jsonOf(const Word<int>& word) { return word.value; }
+    template <class Value>
+    static Json jsonOf(const Word<Value>& word) {
+        return word.text;
+    }
+
+    template <class Item, std::size_t N, class JsonOf>
+    Item oneOf(const std::array<Item, N>& items, JsonOf jsonOf) const {
+        std::string all;
+        for (const Item& item : items) {
+            const Json json = jsonOf(item);
+            if (value_ == json) return item;
+            all += (all.empty() ? "" : ", ") +
+                   (json.is_string() ? json.get<std::string>() : json.dump());
+        }
+        fail("one of " + all);
+    }
+
     std::string text() const {
         if (value_.is_number_float() && !std::isfinite(value_.get<double>())) return "not finite";
         constexpr std::size_t longest = 60;

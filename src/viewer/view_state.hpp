@@ -4,6 +4,7 @@
 #include "src/render/frame/frame.hpp"
 #include "src/scene/ground_text.hpp"
 #include "src/scene/load.hpp"
+#include "src/settings/choices.hpp"
 #include "src/viewer/sun_state.hpp"
 
 #include <nlohmann/json.hpp>
@@ -11,28 +12,10 @@
 
 namespace edgeshade::viewer {
 
-/// Drawing settings of one side of the split.
-struct SideSettings {
-    ShadowMethod shadows = ShadowMethod::automatic;
-    int mapSize = 2048;
-    MultiplicityMethod multiplicity = MultiplicityMethod::plane;
-    int maskScale = 1; ///< see RenderSettings: 1, 2 or 4
-    // See ShadowMapSettings.
-    MapKind mapKind = MapKind::cube;
-    int cascades = mostCascades;
-    MapFilter filter = MapFilter::compare;
-    int pcf = 1;
-    WarpGrid warp = WarpGrid::rectilinear;
-
-    bool operator==(const SideSettings&) const = default;
-};
-
 enum class DebugView {
     none,
     volumes, ///< the chosen light's shadow volumes, tinted
 };
-
-inline constexpr float mostExposure = 20.0f; // EV, up or down
 
 inline constexpr int mostAnimations = 1'000'000;
 
@@ -53,7 +36,7 @@ struct ViewState {
     int sunHoursStep = 10;         ///< minutes per sun position; divides a day
     Shading shading = Shading::full;
     float ambient = 0.45f;                              ///< see RenderSettings
-    float exposure = 0.0f;                              ///< EV, within mostExposure
+    float exposure = 0.0f;                              ///< EV, see settings::exposure
     glm::vec3 background = RenderSettings().background; ///< behind the scene, sRGB 0..1
     GroundChoice ground;                                ///< beneath the scene
     bool castCutouts = false;                           ///< LoadedScene::cutoutsCast
@@ -71,17 +54,10 @@ struct ViewState {
     double time = 0.0;  ///< of the animation, seconds
 };
 
-/// {"camera": {"from": [x,y,z], "to": [x,y,z], "fov": deg}, "lights": [light, …],
-///  "chosen_light": 0, "light_samples": 1..4096, "smooth": 1..256, "sun": null or {"place":
-///  [latitude, longitude], "time": "2026-06-21T14:30+02:00", "north": deg}, "day_playing": false,
-///  "sun_hours": false, "sun_hours_step": minutes, "shading": "full|base", "ambient": 0.45,
-///  "exposure": 0, "background": [r,g,b], "ground": "off|catcher|#rrggbb", "cast_cutouts": false,
-///  "cull": "auto|off", "left": {"shadows": "auto|volumes|primitive-map|map|planar|none",
-///  "map_size": 2048, "multiplicity": "plane", "mask_scale": 1|2|4, "map_kind":
-///  "cube|cascades|paraboloid|warped", "cascades": 1..4, "filter": "pcf|poisson|vsm|esm|msm",
-///  "pcf": 1|3|5|7, "warp": "rectilinear|non-orthogonal"}, "right": {…}, "split": false,
-///  "split_at": 0.5, "debug": "none|volumes", "show_lights": true, "animation": 0, "playing":
-///  false, "speed": 1, "time": 0}
+/// {"camera": {"from": [x,y,z], "to": [x,y,z], "fov": deg}, "lights": [light, …], …, "left":
+/// {"shadows": "auto", …}, …}: each member by a key that forEachMember() in view_state.cpp lists,
+/// with the values that src/settings/settings.hpp has for it. "sun" is null or {"place": [latitude,
+/// longitude], "time": "2026-06-21T14:30+02:00", "north": deg}, "ground" off, catcher or #rrggbb;
 /// light_state.hpp describes a light.
 nlohmann::ordered_json toJson(const ViewState& state);
 

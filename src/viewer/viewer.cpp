@@ -26,9 +26,9 @@
 #include "preprocess/base/stopwatch.hpp"
 #include "preprocess/reading/animation_reading.hpp"
 #include "src/render/frame/prepare_scene.hpp"
-#include "src/scene/build_parts.hpp"
 #include "src/scene/pose.hpp"
 #include "src/scene/shadow_facts.hpp"
+#include "src/settings/build_parts.hpp"
 
 #include <cmath>
 #include <GLES2/gl2.h>

@@ -24,35 +24,6 @@ TEST(Help, TheProgramNamesItsVerbsAndStatuses) {
         expectHelp({"--help"}, word);
 }
 
-TEST(Help, EveryVerbNamesItsOptions) {
-    for (const char* word : {"OUT", "--encoding", "--weld-tolerance", "--flat-tolerance",
-                             "--caster-error", "--cast-masked", "--report"})
-        expectHelp({"pack", "--help"}, word);
-    for (const char* word : {"FILE", "--weld-tolerance", "--report"})
-        expectHelp({"info", "--help"}, word);
-    for (const char* word :
-         {"OUT",           "--mask",         "--size",       "--camera",
-          "--camera-from", "--camera-to",    "--fov",        "--camera-matrix",
-          "--ortho",       "--near",         "--light",      "--sun",
-          "--lights",      "--light-range",  "--shadows",    "--map-size",
-          "--map-bias",    "--map-kind",     "--warp",       "--cascades",
-          "--filter",      "--pcf",          "--mask-scale", "--multiplicity",
-          "--instancing",  "--depth-slices", "--samples",    "--report",
-          "--silhouette",  "--explain",      "--debug",      "--primitive-map-memory",
-          "--ground",      "--cast-cutouts", "--cull",       "--place",
-          "--time-of-day", "--north",        "--terminator"})
-        expectHelp({"render", "--help-all"}, word);
-    for (const char* word : {"FILE", "--views", "--heatmap", "--against", "--size", "--report"})
-        expectHelp({"compare", "--help"}, word);
-    for (const char* word :
-         {"FILE", "--frames", "--warm-up", "--sizes", "--against", "--light-moves",
-          "--light-circle", "--timing", "--synthetic", "--shadows", "--report"})
-        expectHelp({"bench", "--help"}, word);
-    for (const char* word : {"FILE", "--plot", "--budget-ms", "--max-wrong-percent", "--frames",
-                             "--views", "--largest-map", "--against", "--light-moves", "--timing"})
-        expectHelp({"tradeoff", "--help"}, word);
-}
-
 constexpr std::array verbs{"pack",     "info",     "render",         "compare", "bench",
                            "tradeoff", "sunhours", "sunhours-merge", "view"};
 
@@ -85,7 +56,6 @@ TEST(Help, OfAllHasWhatTheShortOneHas) {
         const std::vector<std::string> all = optionsIn(runEdgeshade({verb, "--help-all"}).out);
         const std::set<std::string> once(all.begin(), all.end());
         EXPECT_EQ(once.size(), all.size()) << verb;
-        EXPECT_EQ(runEdgeshade({verb, "--help-all"}).out.find("Others:"), std::string::npos);
         for (const std::string& option : optionsIn(runEdgeshade({verb, "--help"}).out))
             EXPECT_TRUE(once.contains(option)) << verb << " " << option;
     }

@@ -22,7 +22,9 @@ constexpr int width = 240, height = 180;
 RenderSettings maps(int size, float bias = 1.5f, int pcf = 1) {
     RenderSettings settings;
     settings.shadows = ShadowMethod::map;
-    settings.map = {size, bias, pcf};
+    settings.map.size = size;
+    settings.map.biasTexels = bias;
+    settings.map.pcf = pcf;
     return settings;
 }
 

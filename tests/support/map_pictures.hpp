@@ -12,7 +12,7 @@ inline RenderSettings maps(MapKind kind, MapFilter filter = MapFilter::compare, 
                            int size = 512, WarpGrid warp = WarpGrid::rectilinear) {
     RenderSettings settings;
     settings.shadows = ShadowMethod::map;
-    settings.map = {.size = size, .pcf = pcf, .kind = kind, .filter = filter, .warp = warp};
+    settings.map = {{.size = size, .kind = kind, .filter = filter, .pcf = pcf, .warp = warp}};
     if (filter == MapFilter::variance || filter == MapFilter::moments)
         settings.map.biasTexels = 0.5f;
     return settings;

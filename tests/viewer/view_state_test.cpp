@@ -29,8 +29,8 @@ ViewState someState() {
     state.ground = Ground{GroundMaterial::surface, glm::vec3(1.0f, 0.0f, 1.0f)};
     state.castCutouts = true;
     state.culls = !cullsByDefault;
-    state.left = {ShadowMethod::map, 512, MultiplicityMethod::threeEdge};
-    state.right = {ShadowMethod::none, 64, MultiplicityMethod::singleEdge, 4};
+    state.left = {ShadowMethod::map, MultiplicityMethod::threeEdge, 1, {.size = 512}};
+    state.right = {ShadowMethod::none, MultiplicityMethod::singleEdge, 4, {.size = 64}};
     state.split = true;
     state.splitAt = 0.3;
     state.debug = DebugView::volumes;

@@ -6,6 +6,7 @@
 #include "preprocess/reading/flatten.hpp"
 #include "src/gl/headless_context.hpp"
 #include "src/rivals/rivals.hpp"
+#include "src/settings/settings.hpp"
 #include "src/viewer/viewer.hpp"
 #include "tests/support/gltf_builder.hpp"
 #include "tests/support/headless.hpp"
@@ -53,15 +54,7 @@ class ViewerTest : public testing::Test {
     /// The same view drawn by `render`.
     Pixels plainPicture(const SideSettings& side) const {
         RenderSettings settings;
-        settings.shadows = side.shadows;
-        settings.multiplicity = side.multiplicity;
-        settings.map.size = side.mapSize;
-        settings.map.kind = side.mapKind;
-        settings.map.warp = side.warp;
-        settings.map.cascades = side.cascades;
-        settings.map.filter = side.filter;
-        settings.map.pcf = side.pcf;
-        settings.maskScale = side.maskScale;
+        setSide(settings, side);
         const ViewState& state = viewer.state();
         settings.shading = state.shading;
         settings.ambient = state.ambient;

@@ -56,25 +56,29 @@ export type Shadows = 'auto' | 'volumes' | 'lookup' | 'primitive-map' | 'map' | 
 
 /**
  * Settings of one side of the split; the left one applies to the whole picture if there is no
- * split.
+ * split. Pages draw maps of `map_kind` 'cube' (one map for a sun) and `filter` 'pcf' alone.
  */
 export interface SideSettings {
+  // settings: begin (tests/settings/generated_pages_test.cpp writes them)
+  /** Shadow method. */
   shadows: Shadows;
+  /** Width of a shadow map in texels: 16 to 16384. */
   map_size: number;
-  /** For maps; the program for pages only draws 'cube' (one map for a sun) and 'cascades'. */
-  map_kind: 'cube' | 'cascades' | 'paraboloid' | 'warped';
-  /** 1 to 4. */
-  cascades: number;
-  /** The program for pages only filters by 'pcf'. */
-  filter: 'pcf' | 'poisson' | 'vsm' | 'esm' | 'msm';
-  /** Width of the filter in texels. */
-  pcf: number;
-  /** For 'warped' maps. */
-  warp: 'rectilinear' | 'non-orthogonal';
-  /** 'plane'; the others are for the native program, which has published records. */
+  /** Method that finds the facing of a triangle. */
   multiplicity: 'plane' | 'reference-edge' | 'three-edge' | 'single-edge' | 'triangle';
-  /** Volumes are counted once per block of this many by this many pixels: 1, 2 or 4. */
+  /** Resolution at which volumes are counted: 1 for 1, 2 for 1/2, 4 for 1/4. */
   mask_scale: number;
+  /** Kind of shadow map. */
+  map_kind: 'cube' | 'cascades' | 'paraboloid' | 'warped';
+  /** Number of maps for each sun, from near to far: 1 to 4. */
+  cascades: number;
+  /** Filter of shadow maps. */
+  filter: 'pcf' | 'poisson' | 'vsm' | 'esm' | 'msm';
+  /** Width of the map filter in texels: 1, 3, 5 or 7. */
+  pcf: number;
+  /** Grid of warped maps. */
+  warp: 'rectilinear' | 'non-orthogonal';
+  // settings: end
 }
 
 /** A sun at its position for a place and a time. */

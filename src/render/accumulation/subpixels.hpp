@@ -1,12 +1,13 @@
 #pragma once
 
+#include "src/settings/settings.hpp"
 #include "src/shadow/view/frustum.hpp"
 
 #include <cstdint>
 
 namespace edgeshade {
 
-inline constexpr std::size_t mostSubpixels = 256;
+inline constexpr std::size_t mostSubpixels = settings::smooth.domain.high;
 
 /// The position within the pixel that the n-th of several pictures samples, from -1/2 to 1/2 of a
 /// pixel to the right and up. The first is the pixel's centre.

@@ -3,8 +3,8 @@
 #include "src/gl/framebuffer_keeper.hpp"
 #include "src/render/frame/pass_state.hpp"
 #include "src/render/volumes/stencil_count.hpp"
-#include "src/scene/build_parts.hpp"
 #include "src/scene/shadow_facts.hpp"
+#include "src/settings/build_parts.hpp"
 #include "src/shadow/plan/light_lists.hpp"
 #include "src/shadow/view/light_reach.hpp"
 

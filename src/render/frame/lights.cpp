@@ -4,7 +4,7 @@
 #include "src/render/frame/frame.hpp"
 #include "src/render/frame/pass_state.hpp"
 #include "src/render/volumes/stencil_count.hpp"
-#include "src/scene/build_parts.hpp"
+#include "src/settings/build_parts.hpp"
 
 #include <algorithm>
 #include <cmath>

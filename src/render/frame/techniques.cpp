@@ -4,8 +4,8 @@
 #include "src/render/frame/volume_renderers.hpp"
 #include "src/render/irregular/points_technique.hpp"
 #include "src/render/lookup/lookup_technique.hpp"
-#include "src/scene/build_parts.hpp"
 #include "src/scene/scene_facts.hpp"
+#include "src/settings/build_parts.hpp"
 
 namespace edgeshade {
 namespace {

@@ -3,6 +3,7 @@
 #include "src/gl/objects.hpp"
 #include "src/gl/program.hpp"
 #include "src/render/shadow_map/pcss_light.hpp"
+#include "src/settings/choices.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,61 +14,14 @@
 
 namespace edgeshade {
 
-/// How shadow maps serve lights with an extent.
-enum class SoftShadows {
-    none, ///< hard shadows of their points, one map each, added up
-    pcf,  ///< one map of their centre, with the usual filter
-    pcss, ///< percentage-closer soft shadows (Fernando 2005) from one map of their centre
-};
-
-/// The kind of maps that lights get. Some kinds are for suns only or for lamps only; the other
-/// lights get cube.
-enum class MapKind {
-    cube,       ///< lamps: six faces around the light; suns: one map of all casters
-    cascades,   ///< suns: several maps, of the visible geometry near the eye and farther away
-    paraboloid, ///< lamps: two maps, of all directions up and down
-    warped,     ///< suns: one map, with more texels where more is visible
-};
-
-/// The grid that places the texels of MapKind::warped.
-enum class WarpGrid {
-    rectilinear,   ///< columns and rows with widths and heights of their own (Rosen 2012)
-    nonOrthogonal, ///< columns differ from row to row, and rows from column to column (Milet et al.
-                   ///< 2015)
-};
-
-/// How a map's texels around a position are combined.
-enum class MapFilter {
-    compare,     ///< pcf x pcf texels are each compared: percentage-closer filtering, or a single
-                 ///< texel
-    poisson,     ///< sixteen texels in a disc pcf texels wide, rotated in every pixel, are each
-                 ///< compared
-    variance,    ///< a variance map (Donnelly and Lauritzen 2006), filtered pcf texels wide
-    exponential, ///< an exponential map (Annen et al. 2008), filtered likewise
-    moments,     ///< a map of four moments (Peters and Klein 2015), filtered likewise
-};
-
-inline constexpr int mostCascades = 4;
-
 /// How shadow maps are drawn and sampled.
-struct ShadowMapSettings {
-    int size = 2048;                      ///< texels along an edge of each face; at least 16
+struct ShadowMapSettings : MapChoices {
     float biasTexels = 1.5f;              ///< in texels, at their size on the receiver
-    int pcf = 1;                          ///< the filter's width in texels; odd, 1: a single texel
     SoftShadows soft = SoftShadows::none; ///< pcss needs MapKind::cube and MapFilter::compare
     bool facesApart = false; ///< one texture per face, even if the GL can hold a cube in one
-    MapKind kind = MapKind::cube;
-    int cascades = mostCascades; ///< 1..mostCascades
-    MapFilter filter = MapFilter::compare;
-    WarpGrid warp = WarpGrid::rectilinear; ///< for MapKind::warped
     /// Share of light in half shadow that counts as light bleeding through several casters, 0..1;
     /// null: the usual, 0.2 for variance maps, 0.02 for moments.
     std::optional<float> bleeding{};
-
-    /// Whether the library's own maps suffice, without those of Rivals::maps().
-    bool isPlain() const {
-        return (kind == MapKind::cube || kind == MapKind::cascades) && filter == MapFilter::compare;
-    }
 };
 
 /// The textures of a light's map.

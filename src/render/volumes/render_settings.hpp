@@ -5,25 +5,14 @@
 #include "src/policy/shadow_policy.hpp"
 #include "src/render/shadow_map/shadow_map.hpp"
 #include "src/render/technique/rivals.hpp"
-#include "src/render/volumes/multiplicity_method.hpp"
+#include "src/scene/batch_volumes.hpp"
+#include "src/settings/choices.hpp"
 #include "src/shadow/primitive_map/primitive_map.hpp"
 
 #include <memory>
 #include <optional>
 
 namespace edgeshade {
-
-/// The part of brute-force volumes that is counted.
-enum class BruteForceCount {
-    zFail, ///< the part behind surfaces
-    zPass, ///< the part before surfaces, with near caps for casters before the near plane (ZP+)
-};
-
-/// The plane-pair records that the vertex shader receives; it decides their multiplicity.
-enum class SilhouetteChoice {
-    all,
-    proposed, ///< those that may be silhouettes, see PotentialSilhouettes
-};
 
 /// How frames are drawn. Fixed for a renderer, except `ambient`, `exposure` and `background`.
 struct RenderSettings {
@@ -32,7 +21,7 @@ struct RenderSettings {
     SilhouetteChoice silhouette = SilhouetteChoice::proposed; ///< for plane-pair records
     SidesLayout layout = SidesLayout::instanced;
     BruteForceCount count = BruteForceCount::zFail; ///< for brute-force volumes
-    std::size_t planes = 4;            ///< planar shadows: number of planes, 1..mostShadowPlanes
+    std::size_t planes = 4;            ///< planar shadows: number of planes, see settings::planes
     ShadowMapSettings map;             ///< for shadow maps
     PrimitiveMapSettings primitiveMap; ///< for primitive maps
     bool tintPrimitives = false;       ///< show the contents of primitive maps' texels

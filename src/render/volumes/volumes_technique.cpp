@@ -2,7 +2,7 @@
 
 #include "preprocess/base/error.hpp"
 #include "src/render/volumes/grazed_surfaces.hpp"
-#include "src/scene/build_parts.hpp"
+#include "src/settings/build_parts.hpp"
 
 namespace edgeshade {
 namespace {

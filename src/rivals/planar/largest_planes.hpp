@@ -6,9 +6,6 @@
 
 namespace edgeshade {
 
-/// Largest number of planes that shadows are projected onto.
-inline constexpr std::size_t mostShadowPlanes = 64;
-
 /// A triangle of a batch that lies in a plane.
 struct PlaneTriangle {
     std::size_t batch = 0;

@@ -8,7 +8,7 @@ namespace edgeshade {
 /// Projects casters onto the scene's largest planes, which no animation moves.
 class PlanarTechnique : public ShadowTechnique {
   public:
-    /// `planes`: their number, 1..mostShadowPlanes.
+    /// `planes`: their number, see settings::planes.
     explicit PlanarTechnique(std::size_t planes) : count_(planes) {}
 
     void prepareScene(const GpuScene& scene, const LoadedScene& loaded) override;

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "src/gl/program.hpp"
-#include "src/render/volumes/multiplicity_method.hpp"
+#include "src/scene/sides_layout.hpp"
+#include "src/settings/choices.hpp"
 
 #include <string>
 #include <vector>

@@ -11,7 +11,7 @@ namespace edgeshade {
 namespace {
 
 // Limit of pairs of a triangle and a crowded cell; 20 million take about a second.
-constexpr std::size_t leastWork = 20'000'000;
+constexpr std::size_t leastSearchWork = 20'000'000;
 constexpr std::size_t workPerTriangle = 40;
 
 /// Each thread has its own grids: with more threads, adding the grids would take longer than
@@ -213,7 +213,7 @@ CrowdedDirections crowdedDirections(const Scene& scene, bool castMasked, const L
             members += cell.members.size();
         }
     // Each cell's work limit is in proportion to its members, independent of the thread.
-    const std::size_t mostWork = std::max(leastWork, workPerTriangle * casters.count());
+    const std::size_t mostWork = std::max(leastSearchWork, workPerTriangle * casters.count());
     const double workPerMember =
         static_cast<double>(mostWork) / static_cast<double>(std::max<std::size_t>(members, 1));
     const std::vector<ItemRange> ranges = partsOf(places.size(), 16, Threads());
