@@ -124,6 +124,7 @@ struct MaskCost {
     double drawMs = 0.0;  ///< CPU time; may include a software renderer's own work
     std::size_t vertexRuns = 0; ///< of the shadow volumes' shaders, in the last mask of each light
     std::size_t bytes = 0;      ///< on the GPU: records, masks, depth
+    std::size_t batches = 0;    ///< drawn one by one: single meshes, and merged ones that rest
     unsigned hostError = 0;     ///< a GL error from before draw(), which clears it
 };
 

@@ -34,41 +34,36 @@ CasterScene::CasterScene(SidesLayout layout, const gl::Capabilities& capabilitie
 }
 
 CasterScene::Id CasterScene::add(const PreparedMesh& mesh, const Matrix16& worldFromObject) {
-    const glm::dmat4 place = placeOf(worldFromObject);
-    const std::size_t at = freeBatch();
-    put(at, mesh);
-    show(at, place);
-    return static_cast<Id>(at);
+    const glm::dmat4 at = placeOf(worldFromObject);
+    const std::size_t batch = freeBatch();
+    slots_[batch].use = Slot::Use::mesh;
+    put(batch, mesh);
+    place(batch, at);
+    return static_cast<Id>(batch);
 }
 
 std::size_t CasterScene::freeBatch() {
-    const auto free = std::find(taken_.begin(), taken_.end(), false);
-    const auto at = static_cast<std::size_t>(free - taken_.begin());
-    if (free == taken_.end()) {
+    const auto free = std::find_if(slots_.begin(), slots_.end(),
+                                   [](const Slot& of) { return of.use == Slot::Use::free; });
+    const auto at = static_cast<std::size_t>(free - slots_.begin());
+    if (free == slots_.end()) {
         loaded_.scene.batches.emplace_back();
         loaded_.planePairs.emplace_back();
-        meshes_.emplace_back();
         gpu_->batches.emplace_back();
-        taken_.push_back(false);
-        uploaded_.push_back(false);
+        slots_.emplace_back();
     }
     return at;
 }
 
-void CasterScene::show(std::size_t batch, const glm::dmat4& worldFromBatch) {
-    place(batch, worldFromBatch);
-    taken_[batch] = true;
-    gpu_->batches[batch].hidden = false;
-}
-
 void CasterScene::change(Id id, const PreparedMesh& mesh) {
     requireKnown(id);
+    disturb(id);
     put(id, mesh);
 }
 
 void CasterScene::setAlpha(Id id, const MaskAlpha& alpha) {
     requireKnown(id);
-    if (!meshes_[id]->alphaTested)
+    if (!slots_[id].mesh->alphaTested)
         throw InputError("Mesh " + std::to_string(id) + " is not alpha-tested.");
     for (const float number : alpha.texcoordTransform)
         if (!std::isfinite(number))
@@ -90,23 +85,28 @@ AlphaLookup CasterScene::lookupOf(const MaskAlpha& alpha) const {
 
 void CasterScene::move(Id id, const Matrix16& worldFromObject) {
     requireKnown(id);
-    place(id, placeOf(worldFromObject));
+    const glm::dmat4 to = placeOf(worldFromObject);
+    if (loaded_.scene.batches[id].worldFromBatch == to) return;
+    disturb(id);
+    place(id, to);
 }
 
 void CasterScene::remove(Id id) {
     requireKnown(id);
-    put(id, PreparedMesh(MaskMesh{}));
+    disturb(id);
+    put(id, nothing_);
     gpu_->batches[id].hidden = true;
-    taken_[id] = false;
+    slots_[id] = {};
+    slots_[id].mesh = nothing_.data();
 }
 
 void CasterScene::requireKnown(Id id) const {
-    if (id >= taken_.size() || !taken_[id])
+    if (id >= slots_.size() || slots_[id].use != Slot::Use::mesh)
         throw InputError("There is no mesh " + std::to_string(id) + ".");
 }
 
 void CasterScene::place(std::size_t batch, const glm::dmat4& worldFromBatch) {
-    if (casts(batch) && loaded_.scene.batches[batch].worldFromBatch != worldFromBatch)
+    if (slots_[batch].casts() && loaded_.scene.batches[batch].worldFromBatch != worldFromBatch)
         ++casterState_;
     loaded_.scene.batches[batch].worldFromBatch = worldFromBatch;
     gpu_->batches[batch].worldFromBatch = worldFromBatch;
@@ -114,15 +114,104 @@ void CasterScene::place(std::size_t batch, const glm::dmat4& worldFromBatch) {
 }
 
 void CasterScene::put(std::size_t batch, const PreparedMesh& mesh) {
-    const bool cast = loaded_.planePairs[batch] && casts(batch);
-    loaded_.scene.batches[batch].geometry = mesh.data()->geometry;
-    loaded_.planePairs[batch] = mesh.data()->shadow;
-    meshes_[batch] = mesh.data();
+    Slot& slot = slots_[batch];
+    const bool cast = slot.casts();
+    slot.mesh = mesh.data();
+    slot.changed = draws_;
+    slot.own = {};
+    if (mayMerge(*slot.mesh))
+        for (const glm::vec3& position : slot.mesh->geometry->positions)
+            slot.own.add(position);
+    if (cast || slot.casts()) ++casterState_;
+    show(batch, slot.mesh);
+}
+
+void CasterScene::show(std::size_t batch, const std::shared_ptr<const PreparedMesh::Data>& mesh) {
+    const PreparedMesh::Data& shown = mesh ? *mesh : *nothing_.data();
+    loaded_.scene.batches[batch].geometry = shown.geometry;
+    loaded_.planePairs[batch] = shown.shadow;
     gpu_->batches[batch].alpha.reset();
-    if (mesh.data()->alphaTested) gpu_->batches[batch].alpha = lookupOf(MaskAlpha{});
-    if (cast || casts(batch)) ++casterState_;
-    uploaded_[batch] = false;
+    if (shown.alphaTested) gpu_->batches[batch].alpha = lookupOf(MaskAlpha{});
+    gpu_->batches[batch].hidden = !mesh;
+    slots_[batch].uploaded = false;
     changed();
+}
+
+void CasterScene::disturb(std::size_t batch) {
+    Slot& slot = slots_[batch];
+    slot.changed = draws_;
+    if (!slot.mergedInto) return;
+    slot.patience = std::min(2 * slot.patience, longRest);
+    dissolve(*slot.mergedInto);
+}
+
+void CasterScene::dissolve(std::size_t merged) {
+    for (const std::size_t member : slots_[merged].members) {
+        slots_[member].mergedInto.reset();
+        slots_[member].changed = draws_;
+        show(member, slots_[member].mesh);
+    }
+    mergedTriangles_ -= slots_[merged].mesh->geometry->indices.size() / 3;
+    show(merged, nullptr);
+    slots_[merged] = {};
+    slots_[merged].mesh = nothing_.data();
+}
+
+std::vector<MergeCandidate> CasterScene::candidates() const {
+    std::vector<MergeCandidate> found;
+    for (std::size_t i = 0; i < slots_.size(); ++i) {
+        const Slot& slot = slots_[i];
+        if (slot.use != Slot::Use::mesh || slot.mergedInto || slot.own.empty() ||
+            draws_ - slot.changed < slot.patience)
+            continue;
+        MergeCandidate& of = found.emplace_back();
+        of.number = i;
+        of.material = slot.mesh->geometry->groups.front().material;
+        of.triangles = slot.mesh->geometry->indices.size() / 3;
+        for (int corner = 0; corner < 8; ++corner)
+            of.box.add(loaded_.scene.batches[i].worldFromBatch *
+                       glm::dvec4(slot.own.corner(corner), 1.0));
+    }
+    return found;
+}
+
+void CasterScene::mergeResting() {
+    ++draws_;
+    if (mergedTriangles_ + mostTrianglesMerged > mostMerged) return;
+    const std::vector<MergeCandidate> resting = candidates();
+    if (resting.size() < fewestMembers) return;
+    const std::vector<std::size_t> members = neighbours(resting);
+    if (members.size() >= fewestMembers)
+        makeMerged(members);
+    else
+        for (const std::size_t member : members)
+            slots_[member].changed = draws_; // tries again later
+}
+
+void CasterScene::makeMerged(const std::vector<std::size_t>& members) {
+    std::vector<PlacedMesh> placed;
+    for (const std::size_t member : members)
+        placed.push_back({slots_[member].mesh, loaded_.scene.batches[member].worldFromBatch});
+    const MergedMesh merged = merge(placed);
+    const std::size_t batch = freeBatch();
+    Slot& slot = slots_[batch];
+    slot.use = Slot::Use::merged;
+    slot.mesh = merged.mesh.data();
+    slot.members = members;
+    mergedTriangles_ += slot.mesh->geometry->indices.size() / 3;
+    loaded_.scene.batches[batch].worldFromBatch = merged.worldFromMerged;
+    gpu_->batches[batch].worldFromBatch = merged.worldFromMerged;
+    show(batch, slot.mesh);
+    for (const std::size_t member : members) {
+        slots_[member].mergedInto = batch;
+        show(member, nullptr);
+    }
+}
+
+std::size_t CasterScene::drawnBatches() const {
+    return static_cast<std::size_t>(
+        std::count_if(loaded_.scene.batches.begin(), loaded_.scene.batches.end(),
+                      [](const Batch& of) { return !of.geometry->indices.empty(); }));
 }
 
 void CasterScene::changed() {
@@ -147,14 +236,15 @@ void CasterScene::upload(const PreparedMesh& mesh) {
 }
 
 void CasterScene::upload() {
-    if (std::find(uploaded_.begin(), uploaded_.end(), false) == uploaded_.end()) return;
+    if (std::all_of(slots_.begin(), slots_.end(), [](const Slot& of) { return of.uploaded; }))
+        return;
     std::map<const PlanePairShadow*, std::size_t> first;
-    for (std::size_t i = 0; i < uploaded_.size(); ++i)
-        if (uploaded_[i]) first.emplace(loaded_.planePairs[i].get(), i);
-    for (std::size_t i = 0; i < uploaded_.size(); ++i) {
-        if (uploaded_[i]) continue;
+    for (std::size_t i = 0; i < slots_.size(); ++i)
+        if (slots_[i].uploaded) first.emplace(loaded_.planePairs[i].get(), i);
+    for (std::size_t i = 0; i < slots_.size(); ++i) {
+        if (slots_[i].uploaded) continue;
         GpuBatch& to = gpu_->batches[i];
-        uploaded_[i] = true;
+        slots_[i].uploaded = true;
         const auto [same, isFirst] = first.emplace(loaded_.planePairs[i].get(), i);
         if (!isFirst) {
             to.surfaces = gpu_->batches[same->second].surfaces;
@@ -162,8 +252,8 @@ void CasterScene::upload() {
             continue;
         }
         const auto ahead = ahead_.find(loaded_.planePairs[i].get());
-        const Buffers buffers =
-            ahead != ahead_.end() ? ahead->second.buffers : buffersOf(*meshes_[i]);
+        const PreparedMesh::Data& mesh = to.hidden ? *nothing_.data() : *slots_[i].mesh;
+        const Buffers buffers = ahead != ahead_.end() ? ahead->second.buffers : buffersOf(mesh);
         to.surfaces = buffers.surfaces;
         to.volumes.planePairs = buffers.volumes;
         if (ahead != ahead_.end()) ahead_.erase(ahead);
@@ -175,9 +265,9 @@ void CasterScene::upload() {
 
 std::vector<LookupTask::Caster> CasterScene::casters() const {
     std::vector<LookupTask::Caster> all;
-    for (std::size_t i = 0; i < taken_.size(); ++i)
-        if (taken_[i] && casts(i))
-            all.push_back({loaded_.planePairs[i], loaded_.scene.batches[i].worldFromBatch});
+    for (std::size_t i = 0; i < slots_.size(); ++i)
+        if (slots_[i].use == Slot::Use::mesh && slots_[i].casts())
+            all.push_back({slots_[i].mesh->shadow, loaded_.scene.batches[i].worldFromBatch});
     return all;
 }
 

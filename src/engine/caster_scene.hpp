@@ -2,12 +2,14 @@
 
 #include "edgeshade/shadow_masks.hpp"
 #include "src/engine/lookup_work.hpp"
+#include "src/engine/mesh_merging.hpp"
 #include "src/scene/gpu_scene.hpp"
 #include "src/scene/load.hpp"
 #include "src/shadow/view/kept_layers.hpp"
 
 #include <glm/gtc/type_ptr.hpp>
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace edgeshade {
@@ -18,6 +20,9 @@ inline glm::dmat4 matrixOf(const Matrix16& numbers) {
 
 /// A host's meshes as a scene without a file, one batch for each mesh. A batch keeps its number:
 /// the batch of a removed mesh stays, empty and hidden, until the next mesh takes it.
+///
+/// Small meshes that rest are merged (mesh_merging.hpp). A merged mesh has a batch of its own, and
+/// the batches of its members are empty and hidden until one of the members changes.
 class CasterScene {
   public:
     using Id = ShadowMasks::Id;
@@ -30,6 +35,10 @@ class CasterScene {
     void setAlpha(Id id, const MaskAlpha& alpha);
     void move(Id id, const Matrix16& worldFromObject);
     void remove(Id id);
+
+    /// Called before each draw(): merges some meshes that have rested for a while, if there are
+    /// enough. Makes at most one merged mesh a call, so that no frame waits long.
+    void mergeResting();
 
     /// Uploads a mesh ahead of add(); dropped when nobody holds the mesh any more.
     void upload(const PreparedMesh& mesh);
@@ -47,6 +56,8 @@ class CasterScene {
     GpuScene& gpu() { return *gpu_; }
     const Box& bounds();
     const SceneTree& tree();
+    /// Number of batches that have triangles: single and merged meshes.
+    std::size_t drawnBatches() const;
     /// Size on the GPU, of surfaces and records.
     std::size_t bytes() const;
 
@@ -60,23 +71,46 @@ class CasterScene {
         Buffers buffers;
     };
 
+    struct Slot {
+        enum class Use { free, mesh, merged };
+        Use use = Use::free;
+        bool uploaded = false;
+        std::shared_ptr<const PreparedMesh::Data> mesh; ///< also if another batch draws it
+        Box own;                          ///< of the mesh, in its space; empty: it isn't merged
+        std::size_t changed = 0;          ///< the draw() before which it last changed
+        std::size_t patience = shortRest; ///< draws that it has to rest before it is merged
+        std::optional<std::size_t> mergedInto{}; ///< the batch that draws it
+        std::vector<std::size_t> members{};      ///< of a merged mesh
+
+        bool casts() const { return mesh && !mesh->shadow->caps.empty(); }
+    };
+    static constexpr std::size_t shortRest = 30, longRest = 3000;   // draws
+    static constexpr std::size_t mostMerged = std::size_t{1} << 20; // triangles
+
     Buffers buffersOf(const PreparedMesh::Data& mesh) const;
     void requireKnown(Id id) const;
     /// The number of an unused batch, hidden.
     std::size_t freeBatch();
-    void show(std::size_t batch, const glm::dmat4& worldFromBatch);
     void place(std::size_t batch, const glm::dmat4& worldFromBatch);
     void put(std::size_t batch, const PreparedMesh& mesh);
+    /// Makes the batch draw a mesh; null: nothing.
+    void show(std::size_t batch, const std::shared_ptr<const PreparedMesh::Data>& mesh);
+    /// Notes that a mesh changes: it is split off, and takes longer to be merged again.
+    void disturb(std::size_t batch);
+    void dissolve(std::size_t merged);
+    std::vector<MergeCandidate> candidates() const;
+    void makeMerged(const std::vector<std::size_t>& members);
     AlphaLookup lookupOf(const MaskAlpha& alpha) const;
     void changed();
-    bool casts(std::size_t batch) const { return !loaded_.planePairs[batch]->caps.empty(); }
 
     SidesLayout layout_;
     LoadedScene loaded_;
-    std::vector<std::shared_ptr<const PreparedMesh::Data>> meshes_; ///< by batch
+    std::vector<Slot> slots_; ///< by batch
+    const PreparedMesh nothing_{MaskMesh{}};
     std::optional<GpuScene> gpu_;
     std::map<const PlanePairShadow*, Ahead> ahead_;
-    std::vector<bool> taken_, uploaded_; ///< by batch
+    std::size_t draws_ = 0,
+                mergedTriangles_ = 0; ///< calls of mergeResting(); triangles of merged meshes
     std::size_t casterState_ = 0;
     KeptLayers layers_;
     // Empty, or out of date: something has moved since they were computed.

@@ -94,6 +94,7 @@ void MaskDrawing::draw(const MaskView& of, const std::vector<Light>& lights) {
                          .height = of.height,
                          .lights = lights};
     request.lightSamples = of.lightSamples;
+    casters.mergeResting();
     casters.upload();
     request.nearestDepths = false; // volumes are drawn from plane-pair records
     FrameView view =
@@ -231,6 +232,7 @@ void ShadowMasks::draw(const MaskView& view, std::span<const MaskLight> lights) 
     cost.buildMs = std::exchange(impl_->buildMs, 0.0);
     cost.drawMs = 1e3 * watch.lap();
     cost.vertexRuns = drawing.vertexRuns;
+    cost.batches = drawing.casters.drawnBatches();
     cost.bytes = drawing.casters.bytes() + drawing.renderer.bytes() + drawing.counter.bytes() +
                  drawing.lookups.bytes() +
                  drawing.masks.size() * channels * static_cast<std::size_t>(view.width) *

@@ -3,9 +3,9 @@
 // system's libGLESv2 and libEGL.
 #include <dlfcn.h>
 
+#include <cstring>
 #include <EGL/egl.h>
 #include <GLES2/gl2.h>
-#include <cstring>
 
 namespace {
 

@@ -265,7 +265,7 @@ const BadUsage usages[] = {
     badRender("DebugOfPrimitiveMapsWithoutAny", {"--debug", "primitive-map"},
               {"--debug primitive-map", "--shadows primitive-map"}),
     badRender("PrimitiveMapMemoryOfVolumes", {"--primitive-map-memory", "100000"},
-              {"--primitive-map-memory", "--shadows primitive-map"}),
+              {"--primitive-map-memory", "--shadows lookup"}),
     badRender("PrimitiveMapMemoryTooSmall",
               {"--shadows", "primitive-map", "--primitive-map-memory", "12"},
               {"--primitive-map-memory", "12"}),

@@ -187,6 +187,7 @@ class PageMasks {
     double buildMs() const { return masks_->cost().buildMs; }
     double drawMs() const { return masks_->cost().drawMs; }
     double vertexRuns() const { return static_cast<double>(masks_->cost().vertexRuns); }
+    double batches() const { return static_cast<double>(masks_->cost().batches); }
     double bytes() const { return static_cast<double>(masks_->cost().bytes); }
 
   private:
@@ -266,6 +267,7 @@ EMSCRIPTEN_BINDINGS(edgeshade_masks) {
         .function("buildMs", &PageMasks::buildMs)
         .function("drawMs", &PageMasks::drawMs)
         .function("vertexRuns", &PageMasks::vertexRuns)
+        .function("batches", &PageMasks::batches)
         .function("bytes", &PageMasks::bytes);
     emscripten::class_<LookupMaker>("LookupMaker")
         .constructor<>()

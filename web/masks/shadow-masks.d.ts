@@ -92,6 +92,8 @@ export interface MaskCost {
   buildMs: number;
   drawMs: number;
   vertexRuns: number;
+  /** Meshes drawn one by one; small meshes that rest are merged. */
+  batches: number;
   /** Size on the GPU. */
   bytes: number;
   /** A GL error from before the call; 0: none. Only queried when pictures are created. */

@@ -183,7 +183,7 @@ export class ShadowMasks {
 
   get cost() {
     return { buildMs: this.#masks.buildMs(), drawMs: this.#masks.drawMs(), vertexRuns: this.#masks.vertexRuns(),
-      bytes: this.#masks.bytes(), hostError: this.#hostError };
+      batches: this.#masks.batches(), bytes: this.#masks.bytes(), hostError: this.#hostError };
   }
 
   dispose() {

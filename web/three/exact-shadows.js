@@ -143,7 +143,7 @@ export class ExactShadows {
   /** Cost of the last masks, or null. */
   get cost() {
     if (!this.#masks) return null;
-    return { ...this.#masks.cost, ...(this.#uniforms.edgeshadeMasked.value ? {} : { drawMs: 0, vertexRuns: 0 }),
+    return { ...this.#masks.cost, ...(this.#uniforms.edgeshadeMasked.value ? {} : { drawMs: 0, vertexRuns: 0, batches: 0 }),
       pending: this.#casters.pending, lookedUp: this.#lookedUp };
   }
 
