@@ -49,8 +49,7 @@ std::size_t addMeshes(ShadowMasks& masks, const Batch& batch) {
             if (isNew) own.insert(own.end(), &positions[3 * vertex], &positions[3 * vertex] + 3);
             indices.push_back(at->second);
         }
-        masks.add(MaskMesh{.positions = own, .indices = indices},
-                  numbersOf(batch.worldFromBatch));
+        masks.add(MaskMesh{.positions = own, .indices = indices}, numbersOf(batch.worldFromBatch));
         first = end;
         ++added;
     };

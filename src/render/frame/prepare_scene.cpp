@@ -1,8 +1,8 @@
 #include "src/render/frame/prepare_scene.hpp"
 
 #include "src/scene/shadow_facts.hpp"
-#include "src/shadow/layers/layer_search.hpp"
 #include "src/settings/build_parts.hpp"
+#include "src/shadow/layers/layer_search.hpp"
 #include "src/shadow/lights/light_range.hpp"
 #include "src/shadow/view/light_budget.hpp"
 
