@@ -1,5 +1,6 @@
 #include "src/scene/load.hpp"
 #include "src/shadow/layers/layer_search.hpp"
+#include "src/shadow/view/frame_view.hpp"
 #include "tests/lab/line_counts.hpp"
 #include "tests/support/generated_meshes.hpp"
 #include "tests/support/hard_lights.hpp"
@@ -289,6 +290,47 @@ TEST(LayerSearch, ModelsNeedNoGroups) {
                 EXPECT_EQ(light.position.x, 0.0) << "shown for lights in general position";
             EXPECT_FALSE(search.bySilhouettes(loaded.layerCasters(), light, truth - 1));
         }
+    }
+}
+
+/// A light of a model: suns, lamps around and inside, and lamps on vertices and a hair off.
+Light modelLight(const Scene& scene, const Box& bounds, Random& random, int i) {
+    const glm::dvec3 direction(random.inCube());
+    if (i % 4 == 0) return test::sun(direction);
+    if (i % 4 == 1) return test::pointLight(bounds.center() + bounds.diagonal() * direction);
+    if (i % 4 == 2) return test::pointLight(bounds.center() + 0.3 * bounds.diagonal() * direction);
+    const Batch& batch = scene.batches[static_cast<std::size_t>(
+        random.below(static_cast<int>(scene.batches.size())))];
+    const auto& positions = batch.geometry->positions;
+    const glm::dvec3 vertex(
+        batch.worldFromBatch *
+        glm::dvec4(
+            positions[static_cast<std::size_t>(random.below(static_cast<int>(positions.size())))],
+            1.0));
+    return test::pointLight(vertex + (i % 8 == 3 ? 0.0 : 1e-7 * bounds.diagonal()) * direction);
+}
+
+TEST(LongLayerSearch, IsNeverBelowTheTruthOfModels) {
+    if (!std::filesystem::is_directory(EDGESHADE_SHARED_SCENES))
+        GTEST_SKIP() << EDGESHADE_SHARED_SCENES << " is not there, so no bounds of its models";
+    for (const auto& entry : std::filesystem::directory_iterator(EDGESHADE_SHARED_SCENES)) {
+        if (entry.path().extension() != ".glb") continue;
+        SCOPED_TRACE(entry.path().stem());
+        const LoadedScene loaded = loadScene(entry.path(), std::nullopt);
+        const Box bounds = worldBounds(loaded.scene);
+        Random random(53);
+        LayerSearch search;
+        int shown = 0;
+        for (int i = 0; i < 100; ++i) {
+            SCOPED_TRACE(testing::Message() << "light " << i);
+            const Light light = modelLight(loaded.scene, bounds, random, i);
+            const std::size_t truth = LineCounts(loaded.scene, false, light, 64).most();
+            const auto most = search.bySilhouettes(loaded.layerCasters(), light, stencilLimit);
+            if (!most) continue;
+            EXPECT_GE(*most, truth);
+            ++shown;
+        }
+        EXPECT_GT(shown, 75) << "groups only where the truth asks for them";
     }
 }
 
