@@ -71,7 +71,7 @@ class Stage {
         planMs_ = 1e3 * watch.lap();
         layersMs_ = 0.0;
         if (!volumes) return;
-        const bool anyNew = layers_.fill(loaded_.layerCasters(), view_.lights);
+        const bool anyNew = layers_.fill(loaded_.layerCasters(), view_.lights, view_.visible);
         if (anyNew) layersMs_ = 1e3 * watch.lap();
     }
 

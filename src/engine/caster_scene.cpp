@@ -271,8 +271,8 @@ std::vector<LookupTask::Caster> CasterScene::casters() const {
     return all;
 }
 
-void CasterScene::fillLayers(std::vector<FrameLight>& lights) {
-    layers_.fill(loaded_.layerCasters(), lights);
+void CasterScene::fillLayers(FrameView& view) {
+    layers_.fill(loaded_.layerCasters(), view.lights, view.visible);
 }
 
 const Box& CasterScene::bounds() {

@@ -44,8 +44,8 @@ class CasterScene {
     void upload(const PreparedMesh& mesh);
     /// Uploads all meshes that are missing on the GPU, each mesh once.
     void upload();
-    /// Fills in the lights' layers, for the scene in the picture's state.
-    void fillLayers(std::vector<FrameLight>& lights);
+    /// Fills in the layers of the view's lights.
+    void fillLayers(FrameView& view);
 
     /// All casters, in their places.
     std::vector<LookupTask::Caster> casters() const;

@@ -99,7 +99,7 @@ void MaskDrawing::draw(const MaskView& of, const std::vector<Light>& lights) {
     request.nearestDepths = false; // volumes are drawn from plane-pair records
     FrameView view =
         makeFrameView(casters.loaded().scene, request, casters.bounds(), casters.tree());
-    casters.fillLayers(view.lights);
+    casters.fillLayers(view);
     view.mask = view.sumsMasks = true;
     fit(of.width, of.height, lights.size());
     vertexRuns = 0;

@@ -17,7 +17,7 @@ FrameView frameOf(const LoadedScene& loaded, const FrameRequest& request,
                   std::optional<std::size_t> mostShadowed = {}) {
     FrameView frame = makeFrameView(loaded.scene, request, worldBounds(loaded.scene));
     chooseLights(frame, mostShadowed);
-    KeptLayers().fill(loaded.layerCasters(), frame.lights);
+    KeptLayers().fill(loaded.layerCasters(), frame.lights, frame.visible);
     frame.drawBlended = false;
     return frame;
 }

@@ -325,7 +325,7 @@ void Viewer::Parts::groupCasters(FrameView& view) {
         gpu->renderers.of(*side, state).techniques().prepareScene(*gpu->scene, *loaded);
         if (!mayCount(*side)) continue;
         if (state.debug != DebugView::volumes && asksPoints(*side)) continue;
-        layers.fill(loaded->layerCasters(), view.lights);
+        layers.fill(loaded->layerCasters(), view.lights, view.visible);
         gpu->scene->groups.upload(*loaded, view.lights, gpu->recordsOf(*side));
     }
 }

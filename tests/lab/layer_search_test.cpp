@@ -1,6 +1,6 @@
 #include "src/scene/load.hpp"
 #include "src/shadow/layers/layer_search.hpp"
-#include "src/shadow/view/frame_view.hpp"
+#include "src/shadow/view/kept_layers.hpp"
 #include "tests/lab/line_counts.hpp"
 #include "tests/support/generated_meshes.hpp"
 #include "tests/support/hard_lights.hpp"
@@ -186,6 +186,113 @@ TEST(LayerSearch, CastersBeyondALampsRangeDoNotCount) {
 
 // Bumps of a sheet that is taken for flat turn towards the light and away from it, and the sheet
 // has one facing.
+/// The casting triangles that the segment from the light to a point passes through.
+std::size_t crossedBetween(const Scene& scene, const Light& light, const glm::dvec3& to) {
+    std::size_t crossed = 0;
+    const glm::dvec3 toLight =
+        glm::dvec3(light.position) - light.position.w * to; // of any length for a sun
+    for (const Batch& batch : scene.batches)
+        for (std::size_t i = 0; i < batch.geometry->indices.size(); i += 3) {
+            glm::dvec3 at[3];
+            for (std::size_t c = 0; c < 3; ++c)
+                at[c] =
+                    glm::dvec3(batch.worldFromBatch *
+                               glm::dvec4(batch.geometry->positions[batch.geometry->indices[i + c]],
+                                          1.0)) -
+                    to;
+            double side[3];
+            for (std::size_t c = 0; c < 3; ++c)
+                side[c] = glm::dot(toLight, glm::cross(at[c], at[(c + 1) % 3]));
+            const double all = side[0] + side[1] + side[2];
+            if (all == 0.0 || side[0] * all <= 0.0 || side[1] * all <= 0.0 || side[2] * all <= 0.0)
+                continue;
+            const double along = glm::dot(at[0], glm::cross(at[1], at[2])) / all;
+            crossed += along > 0.0 && (light.position.w == 0.0 || along < 1.0);
+        }
+    return crossed;
+}
+
+TEST(LayerSearch, CountsWhatShadowsTheReceivers) {
+    Random random(54);
+    std::size_t smaller = 0, most = 0;
+    for (int i = 0; i < 120; ++i) {
+        SCOPED_TRACE(testing::Message() << "mesh " << i);
+        const Scene scene = sceneOf(anyMesh(random));
+        const Box all = worldBounds(scene);
+        const auto anywhere = [&] {
+            return all.center() + 0.7 * (all.high - all.low) * random.inCube();
+        };
+        Box receivers;
+        const glm::dvec3 middle = anywhere();
+        receivers.add(middle);
+        receivers.add(middle + random.uniform(0.0, 0.3) * (all.high - all.low));
+        const glm::dvec3 place = anywhere();
+        const Light light = i % 2 == 0 ? test::sun(glm::dvec3(random.inCube()))
+                                       : test::pointLight(i % 4 == 1 ? place : middle);
+        const auto records = buildPlanePairs(scene, false);
+        LayerSearch search;
+        const auto bound = search.bySilhouettes({scene, records}, light, anyLimit, receivers);
+        const auto whole = search.bySilhouettes({scene, records}, light, anyLimit);
+        ASSERT_TRUE(bound && whole);
+        EXPECT_LE(*bound, *whole + 2);
+        smaller += *bound < *whole;
+        for (int point = 0; point < 40; ++point) {
+            const glm::dvec3 share = 0.5 + 0.5 * random.inCube();
+            const glm::dvec3 to = receivers.low + share * (receivers.high - receivers.low);
+            const std::size_t truth = crossedBetween(scene, light, to);
+            EXPECT_GE(*bound, truth);
+            most = std::max(most, truth);
+        }
+    }
+    EXPECT_GT(smaller, 30u) << "casters elsewhere should be left out";
+    EXPECT_GT(most, 5u);
+}
+
+TEST(LayerSearch, LeavesOutPlacesThatShadowNoReceiver) {
+    Scene scene = sheets(150);
+    Batch far = scene.batches.front();
+    far.worldFromBatch = glm::translate(glm::dmat4(1.0), glm::dvec3(500.0, 0.0, 0.0));
+    scene.batches.push_back(far);
+    const auto records = buildPlanePairs(scene, false);
+    Box receivers;
+    receivers.add(glm::dvec3(495.0, -100.0, -5.0));
+    receivers.add(glm::dvec3(505.0, -90.0, 5.0));
+    LayerSearch search;
+    const auto here =
+        search.bySilhouettes({scene, records}, test::sun({0.01, 1, 0.02}), 255, receivers);
+    ASSERT_TRUE(here);
+    EXPECT_GE(*here, 150u);
+    receivers.low.x = 200.0;
+    receivers.high.x = 300.0;
+    const auto nothing =
+        search.bySilhouettes({scene, records}, test::sun({0.01, 1, 0.02}), 255, receivers);
+    ASSERT_TRUE(nothing);
+    EXPECT_EQ(*nothing, 0u);
+}
+
+TEST(KeptLayers, OfALightAtRestHoldWhereverTheEyeLooks) {
+    const Scene scene = sheets(200);
+    const auto records = buildPlanePairs(scene, false);
+    const LayerCasters casters{scene, records};
+    Box beside, below;
+    beside.add(glm::dvec3(50.0, -1.0, 0.0));
+    beside.add(glm::dvec3(51.0, 0.0, 1.0));
+    below.add(glm::dvec3(0.0, -2.0, -0.5));
+    below.add(glm::dvec3(2.0, -1.0, 0.5));
+    std::vector<FrameLight> lights(1);
+    lights[0].light = test::sun({0.01, 1, 0.02});
+    KeptLayers layers;
+    EXPECT_TRUE(layers.fill(casters, lights, beside));
+    EXPECT_EQ(lights[0].layers.most, 0u) << "nothing shadows what is visible";
+    EXPECT_FALSE(layers.fill(casters, lights, beside));
+    EXPECT_TRUE(layers.fill(casters, lights, below));
+    EXPECT_GE(lights[0].layers.most, 200u);
+    EXPECT_FALSE(layers.fill(casters, lights, beside)) << "this bound holds everywhere";
+    lights[0].light = test::sun({0.02, 1, 0.02});
+    EXPECT_TRUE(layers.fill(casters, lights, below));
+    EXPECT_GE(lights[0].layers.most, 200u);
+}
+
 TEST(LayerSearch, SheetsTakenForFlatCountAsTheyAre) {
     Soup soup;
     for (int layer = 0; layer < 30; ++layer) {

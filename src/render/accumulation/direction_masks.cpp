@@ -12,7 +12,7 @@ FrameView directionMasks(const FrameView& seen, const LoadedScene& loaded,
     for (const glm::dvec3& direction : directions) {
         FrameLight& of = view.lights.emplace_back();
         of.light.position = glm::dvec4(direction, 0.0);
-        of.layers = search.bound(loaded.layerCasters(), of.light, stencilLimit);
+        of.layers = search.bound(loaded.layerCasters(), of.light, stencilLimit, seen.visible);
     }
     view.drawBlended = false;
     view.mask = true;

@@ -3,6 +3,7 @@
 #include "shaders_es2.hpp"
 #include "src/render/drawing/attributes.hpp"
 #include "src/render/drawing/batch_view.hpp"
+#include "src/shadow/geometry/box_plane.hpp"
 #include "src/shadow/lights/light_contact.hpp"
 
 #include <algorithm>
@@ -48,6 +49,7 @@ const GrazedSurfaces::Triangles& GrazedSurfaces::trianglesOf(const GpuBatch& bat
             const std::uint32_t vertex = geometry.indices[3 * t + c];
             if (!geometry.normals.empty() && glm::dot(normal, geometry.normals[vertex]) < parallel)
                 triangles.smooth[t] = 1;
+            triangles.box.add(corners[c]);
             triangles.farthest = std::max(triangles.farthest, glm::length(corners[c]));
         }
     }
@@ -85,6 +87,7 @@ void GrazedSurfaces::mark(const GpuScene& scene, const FrameView& view, const De
         const GpuBatch& batch = scene.batches[b];
         if (batch.hidden || (batch.ground && !view.ground)) continue;
         const Triangles& triangles = trianglesOf(batch);
+        if (areApart(view.visible, triangles.box, batch.worldFromBatch)) continue;
         const glm::dvec4 light = placeInObject(view.lights[index].light, batch.worldFromBatch);
         Grazed& grazed = grazed_[{index, b}];
         const Geometry* geometry = &*batch.geometry;

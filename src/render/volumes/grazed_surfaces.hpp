@@ -29,6 +29,7 @@ class GrazedSurfaces {
         CopyOnWrite<Geometry> geometry;   ///< shared, so that nobody edits it in place
         std::vector<glm::vec4> planes;    ///< unit normal and offset; 0 for triangles without area
         std::vector<std::uint8_t> smooth; ///< 1: some vertex has another normal
+        Box box;                          ///< around all positions
         float farthest = 0.0f;            ///< greatest distance of a position from the origin
         bool used = true;
     };

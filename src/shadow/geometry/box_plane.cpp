@@ -19,6 +19,21 @@ bool isOutside(const Box& box, const glm::dvec4& plane) {
     return largestOver(box, plane) < -roundingOf(box, plane);
 }
 
+bool areApart(const Box& inWorld, const Box& placed, const glm::dmat4& worldFromPlaced) {
+    if (inWorld.empty()) return false;
+    for (glm::length_t axis = 0; axis < 3; ++axis) {
+        glm::dvec4 above(0.0), below(0.0);
+        above[axis] = 1.0;
+        above.w = -inWorld.low[axis];
+        below[axis] = -1.0;
+        below.w = inWorld.high[axis];
+        if (isOutside(placed, above * worldFromPlaced) ||
+            isOutside(placed, below * worldFromPlaced))
+            return true;
+    }
+    return false;
+}
+
 bool isOutsideOf(const Box& box, const glm::dvec4& point) {
     if (point.w == 0.0) return true;
     const glm::dvec3 at = glm::dvec3(point) / point.w;

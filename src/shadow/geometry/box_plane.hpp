@@ -18,6 +18,10 @@ double roundingOf(const Box& box, const glm::dvec4& plane);
 /// Whether the whole box is certainly outside the plane.
 bool isOutside(const Box& box, const glm::dvec4& plane);
 
+/// Whether a box in the world and a placed one are certainly apart along an axis of the world. An
+/// empty box in the world is apart from none.
+bool areApart(const Box& inWorld, const Box& placed, const glm::dmat4& worldFromPlaced);
+
 /// Whether a light or an eye, homogeneous, is certainly outside the box.
 bool isOutsideOf(const Box& box, const glm::dvec4& point);
 

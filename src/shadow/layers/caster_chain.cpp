@@ -1,6 +1,7 @@
 #include "src/shadow/layers/caster_chain.hpp"
 
 #include "preprocess/volumes/clustering.hpp"
+#include "src/shadow/geometry/box_plane.hpp"
 #include "src/shadow/lights/light_range.hpp"
 
 #include <algorithm>
@@ -12,10 +13,6 @@ namespace {
 
 /// Room around boxes for rays in double, as a share of the coordinates.
 constexpr double rayRoom = 1e-6;
-
-bool isReached(const ShadowCluster& cluster, const LightInBatch& light, double range) {
-    return !isBeyond(cluster.bounds, glm::dvec3(light.place), range + light.rounding);
-}
 
 /// The facing of a record's triangle, without branches: nothing predicts them.
 int facingOf(const std::vector<std::int8_t>& facings, PlaneOf plane) {
@@ -85,14 +82,26 @@ class BoxRay {
 
 } // namespace
 
-void CasterChain::look(const LightInBatch& light, double range, std::vector<std::int8_t>& facings,
-                       SeenCasters& seen) const {
+bool CasterReach::mayHold(const Box& box, const LightInBatch& light) const {
+    return !isBeyond(box, glm::dvec3(light.place), range + light.rounding) &&
+           std::none_of(planes.begin(), planes.end(),
+                        [&](const glm::dvec4& plane) { return isOutside(box, plane); });
+}
+
+CasterChain::CasterChain(const PlanePairShadow& shadow) : shadow_(&shadow), facings_(shadow) {
+    for (const ShadowCluster& cluster : shadow.clusters)
+        for (const glm::dvec3& corner : {cluster.bounds.low, cluster.bounds.high})
+            bounds_.add(corner);
+}
+
+void CasterChain::look(const LightInBatch& light, const CasterReach& reach,
+                       std::vector<std::int8_t>& facings, SeenCasters& seen) const {
     const PlanePairShadow& shadow = *shadow_;
     facings_.find(light, facings);
     seen.uncertain.clear();
     EdgeAppender pairs(seen.pairs), singles(seen.singles);
     for (const ShadowCluster& cluster : shadow.clusters) {
-        if (!isReached(cluster, light, range)) continue;
+        if (!reach.mayHold(cluster.bounds, light)) continue;
         pairs.append(cluster.pairs, [&](std::uint32_t i) {
             const auto& [plane0, plane1] = shadow.pairPlanes[i];
             return facingOf(facings, plane0) - facingOf(facings, plane1);
@@ -108,12 +117,13 @@ void CasterChain::look(const LightInBatch& light, double range, std::vector<std:
 }
 
 std::vector<std::uint32_t> CasterChain::capsAlong(const LightInBatch& light,
-                                                  const glm::dvec3& direction, double range) const {
+                                                  const glm::dvec3& direction,
+                                                  const CasterReach& reach) const {
     const BoxRay ray(glm::dvec3(light.place), direction,
                      rayRoom * (light.length() + size()) + light.rounding);
     std::vector<std::uint32_t> caps;
     for (const ShadowCluster& cluster : shadow_->clusters) {
-        if (!isReached(cluster, light, range) || !ray.mayMeet(cluster.bounds)) continue;
+        if (!reach.mayHold(cluster.bounds, light) || !ray.mayMeet(cluster.bounds)) continue;
         for (std::uint32_t leaf = 0; leaf < cluster.leaves.count; ++leaf) {
             if (!ray.mayMeet(shadow_->leaves[cluster.leaves.first + leaf])) continue;
             const std::uint32_t first = cluster.caps.first + leaf * leafTriangles;

@@ -2,6 +2,9 @@
 
 #include "src/shadow/layers/caster_facings.hpp"
 
+#include <limits>
+#include <vector>
+
 namespace edgeshade {
 
 /// A record whose edge is in the chain of casters (docs/method.md, C48).
@@ -10,7 +13,16 @@ struct ChainEdge {
     int weight; ///< not 0: the sum of its triangles' facings, each negated if it runs from b to a
 };
 
-/// The chain's edges and the uncertain caps, of a batch's clusters within a light's range.
+/// The casters that a search is about, in a batch's space.
+struct CasterReach {
+    double range = std::numeric_limits<double>::infinity(); ///< as of rangeInObject()
+    std::vector<glm::dvec4> planes{}; ///< casters outside one of them don't matter
+
+    /// Whether casters in the box may matter. `light`: the reach's.
+    bool mayHold(const Box& box, const LightInBatch& light) const;
+};
+
+/// The chain's edges and the uncertain caps, of a batch's clusters within reach.
 struct SeenCasters {
     std::vector<ChainEdge> pairs, singles;
     std::vector<std::uint32_t> uncertain; ///< casting caps with facing 0
@@ -20,25 +32,27 @@ struct SeenCasters {
 class CasterChain {
   public:
     /// Linear in the caps. `shadow` must outlive this.
-    explicit CasterChain(const PlanePairShadow& shadow) : shadow_(&shadow), facings_(shadow) {}
+    explicit CasterChain(const PlanePairShadow& shadow);
 
     /// Fills in `facings`, one per cap (CasterFacings), and `seen`, and reuses their memory.
-    /// `range`: as of rangeInObject().
-    void look(const LightInBatch& light, double range, std::vector<std::int8_t>& facings,
-              SeenCasters& seen) const;
+    void look(const LightInBatch& light, const CasterReach& reach,
+              std::vector<std::int8_t>& facings, SeenCasters& seen) const;
 
-    /// All caps within range of a point light that a ray from it may meet, and neighbours of these.
+    /// All caps within reach that a ray from a point light may meet, and neighbours of these.
     /// `direction`: in the batch's space.
     std::vector<std::uint32_t> capsAlong(const LightInBatch& light, const glm::dvec3& direction,
-                                         double range) const;
+                                         const CasterReach& reach) const;
 
     const PlanePairShadow& shadow() const { return *shadow_; }
+    /// Around all casters.
+    const Box& bounds() const { return bounds_; }
     /// The largest magnitude of a coordinate.
     double size() const { return facings_.size(); }
 
   private:
     const PlanePairShadow* shadow_;
     CasterFacings facings_;
+    Box bounds_;
 };
 
 } // namespace edgeshade

@@ -1,5 +1,6 @@
 #include "src/shadow/layers/layer_search.hpp"
 
+#include "src/shadow/geometry/planes_between.hpp"
 #include "src/shadow/layers/face_bound.hpp"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ struct LitBatch {
     const CasterChain* chain;
     const std::vector<std::int8_t>* facings;
     LightInBatch light;
-    double range; ///< in the batch's space
+    CasterReach reach;
     RaysOfBatch rays;
     glm::dmat3 batchFromWorld; ///< of directions
 };
@@ -27,20 +28,28 @@ int countAlong(const glm::dvec3& direction, const std::vector<LitBatch>& batches
     for (const LitBatch& batch : batches)
         met += trianglesAlong(
             direction, batch.rays, *batch.chain, *batch.facings,
-            batch.chain->capsAlong(batch.light, batch.batchFromWorld * direction, batch.range));
+            batch.chain->capsAlong(batch.light, batch.batchFromWorld * direction, batch.reach));
     return met;
+}
+
+CasterReach reachInBatch(const Light& light, const std::vector<glm::dvec4>& planes,
+                         const glm::dmat4& worldFromBatch) {
+    CasterReach reach{rangeInObject(light, worldFromBatch)};
+    for (const glm::dvec4& plane : planes)
+        reach.planes.push_back(plane * worldFromBatch);
+    return reach;
 }
 
 } // namespace
 
 LayerBound LayerSearch::bound(const LayerCasters& casters, std::span<const Light> lights,
-                              std::size_t limit) {
+                              std::size_t limit, const Box& receivers) {
     LayerBound bound;
     bound.most = casters.scene.triangleCount();
     if (bound.most <= limit) return bound;
     bound.most = 0;
     for (const Light& light : lights) {
-        const auto most = bySilhouettes(casters, light, limit);
+        const auto most = bySilhouettes(casters, light, limit, receivers);
         if (!most) return boundByTriangles(casters.scene, casters.castMasked, lights, limit);
         bound.most = std::max(bound.most, *most);
     }
@@ -48,10 +57,12 @@ LayerBound LayerSearch::bound(const LayerCasters& casters, std::span<const Light
 }
 
 std::optional<std::size_t> LayerSearch::bySilhouettes(const LayerCasters& casters,
-                                                      const Light& light, std::size_t limit) {
+                                                      const Light& light, std::size_t limit,
+                                                      const Box& receivers) {
     // Records that nobody holds are of an earlier pose.
     std::erase_if(chains_, [](const auto& item) { return item.second.records.expired(); });
     const LightView view(light);
+    const std::vector<glm::dvec4> planes = planesBetween(light.position, receivers);
     faces_.resize(view.faces.size());
     for (FaceChain& face : faces_)
         face.clear();
@@ -62,11 +73,13 @@ std::optional<std::size_t> LayerSearch::bySilhouettes(const LayerCasters& caster
         if (batch.hidden || !casters.records[i] || casters.records[i]->caps.empty()) continue;
         const glm::dmat4& worldFromBatch = batch.worldFromBatch;
         const CasterChain& chain = chainOf(casters.records[i]);
+        const LightInBatch inBatch = lightInBatch(light, worldFromBatch);
+        const CasterReach reach = reachInBatch(light, planes, worldFromBatch);
+        if (!reach.mayHold(chain.bounds(), inBatch)) continue;
         const LitBatch& of = batches.emplace_back(LitBatch{
-            &chain, &facings_[i], lightInBatch(light, worldFromBatch),
-            rangeInObject(light, worldFromBatch), RaysOfBatch(view, worldFromBatch, chain.size()),
+            &chain, &facings_[i], inBatch, reach, RaysOfBatch(view, worldFromBatch, chain.size()),
             glm::inverse(glm::dmat3(worldFromBatch))});
-        chain.look(of.light, of.range, facings_[i], seen_);
+        chain.look(of.light, of.reach, facings_[i], seen_);
         drawChain(view, of.rays, chain, seen_, faces_);
     }
     FaceBound bound(limit);

@@ -4,7 +4,13 @@
 
 namespace edgeshade {
 
-bool KeptLayers::fill(const LayerCasters& casters, std::vector<FrameLight>& lights) {
+bool KeptLayers::Kept::holdsFor(const Box& visible) const {
+    return receivers.empty() ||
+           (!visible.empty() && receivers.holds(visible.low) && receivers.holds(visible.high));
+}
+
+bool KeptLayers::fill(const LayerCasters& casters, std::vector<FrameLight>& lights,
+                      const Box& visible) {
     std::vector<Kept> kept;
     bool anyNew = false;
     for (FrameLight& of : lights) {
@@ -13,12 +19,18 @@ bool KeptLayers::fill(const LayerCasters& casters, std::vector<FrameLight>& ligh
             return known.light == of.light.position && known.range == of.light.range &&
                    known.extent == of.light.extent && known.points == of.points.size();
         });
-        const bool known = found != kept_.end();
-        if (!of.drawn && !known) continue; // not needed until it is drawn
-        anyNew = anyNew || !known;
-        of.layers = known ? found->layers : search_.bound(casters, of.counted(), stencilLimit);
-        kept.push_back(
-            {of.light.position, of.light.range, of.light.extent, of.points.size(), of.layers});
+        const bool rests = found != kept_.end();
+        if (!of.drawn && !rests) continue; // not needed until it is drawn
+        if (rests && found->holdsFor(visible)) {
+            of.layers = found->layers;
+            kept.push_back(*found);
+            continue;
+        }
+        anyNew = true;
+        const Box receivers = rests ? Box() : visible;
+        of.layers = search_.bound(casters, of.counted(), stencilLimit, receivers);
+        kept.push_back({of.light.position, of.light.range, of.light.extent, of.points.size(),
+                        receivers, of.layers});
     }
     kept_ = std::move(kept);
     return anyNew;

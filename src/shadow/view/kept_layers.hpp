@@ -12,8 +12,9 @@ class KeptLayers {
   public:
     /// Fills in FrameLight::layers; those of lights that have not moved since the last call are
     /// reused. The casters must be unchanged since then; otherwise call clear() first. Returns
-    /// false if all were known.
-    bool fill(const LayerCasters& casters, std::vector<FrameLight>& lights);
+    /// false if all were known. `visible`: FrameView::visible. A light that has moved gets a bound
+    /// for it alone, and a bound for everything once it rests and the eye moves.
+    bool fill(const LayerCasters& casters, std::vector<FrameLight>& lights, const Box& visible);
 
     void clear() { kept_.clear(); }
 
@@ -23,8 +24,12 @@ class KeptLayers {
         double range;
         std::optional<LightExtent> extent;
         std::size_t points = 0;
+        Box receivers; ///< for which the bound holds; empty: everywhere
         LayerBound layers;
+
+        bool holdsFor(const Box& visible) const;
     };
+
     std::vector<Kept> kept_;
     LayerSearch search_;
 };

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "preprocess/scene/scene.hpp"
+
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace edgeshade {
+
+/// Planes with everything between a light and a box on their inner sides: dot(plane, (p, 1)) >= 0,
+/// up to rounding, at each point p of each segment from the light to the box. A box that is outside
+/// one of them (isOutside()) casts no shadow on anything in the box. `light`: homogeneous. Empty
+/// for an empty box.
+std::vector<glm::dvec4> planesBetween(const glm::dvec4& light, const Box& box);
+
+} // namespace edgeshade
