@@ -41,7 +41,7 @@ void Jury::see(const LabView& view, int width, int height) {
         Question{&loaded_.scene, loaded_.settings.castMasked, judged_.frame.frustum,
                  judged_.frame.near(), request.lights, width, height, loaded_.cutoutsCast},
         alpha_);
-    judged_.answers = SettledAnswers(traceAll(*judged_.oracle, {}));
+    judged_.answers = SettledAnswers(traceAll(*judged_.oracle));
     pictures_ = {};
     unshadowed_.clear();
     frames_.clear();
