@@ -55,24 +55,23 @@ T load(const std::uint8_t* at) {
     return value;
 }
 
+template <class T>
+float loadSmall(const std::uint8_t* at, bool normalized) {
+    const float value = load<T>(at);
+    return normalized ? std::max(value / static_cast<float>(std::numeric_limits<T>::max()), -1.0f)
+                      : value;
+}
+
 float loadFloat(const std::uint8_t* at, int componentType, bool normalized) {
     switch (componentType) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE: {
-        const float value = load<std::int8_t>(at);
-        return normalized ? std::max(value / 127.0f, -1.0f) : value;
-    }
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: {
-        const float value = load<std::uint8_t>(at);
-        return normalized ? value / 255.0f : value;
-    }
-    case TINYGLTF_COMPONENT_TYPE_SHORT: {
-        const float value = load<std::int16_t>(at);
-        return normalized ? std::max(value / 32767.0f, -1.0f) : value;
-    }
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: {
-        const float value = load<std::uint16_t>(at);
-        return normalized ? value / 65535.0f : value;
-    }
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+        return loadSmall<std::int8_t>(at, normalized);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return loadSmall<std::uint8_t>(at, normalized);
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+        return loadSmall<std::int16_t>(at, normalized);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        return loadSmall<std::uint16_t>(at, normalized);
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
         return static_cast<float>(load<std::uint32_t>(at));
     default:
@@ -158,6 +157,18 @@ void forEachElement(const GltfDocument& document, const tinygltf::Accessor& acce
     }
 }
 
+/// Throws where the accessor's elements, but for sparse ones, are not all there. An accessor
+/// without a buffer view is all zeros, and no data backs its count.
+void requireData(const GltfDocument& document, const tinygltf::Accessor& accessor,
+                 std::size_t elementSize, const std::string& field) {
+    if (accessor.bufferView >= 0)
+        elements(document, accessor.bufferView, accessor.byteOffset, accessor.count, elementSize,
+                 true, field);
+    else if (accessor.count > (1u << 24))
+        throw InputError(document.where(field) + ".count is " + std::to_string(accessor.count) +
+                         " without any data.");
+}
+
 /// tinygltf's constant for the type.
 int typeOf(ElementType type) {
     switch (type) {
@@ -212,13 +223,7 @@ FloatArray readFloats(const GltfDocument& document, int index, const std::string
         throw InputError(document.where(name) + " has type " + std::to_string(accessor.type) +
                          " and componentType " + std::to_string(accessor.componentType) +
                          ", which is not supported.");
-    // An accessor without a buffer view is all zeros, and no data backs its count.
-    if (accessor.bufferView < 0 && accessor.count > (1u << 24))
-        throw InputError(document.where(name) + ".count is " + std::to_string(accessor.count) +
-                         " without any data.");
-    if (accessor.bufferView >= 0)
-        elements(document, accessor.bufferView, accessor.byteOffset, accessor.count,
-                 componentSize * array.components, true, name);
+    requireData(document, accessor, componentSize * array.components, name);
     array.values.resize(accessor.count * array.components);
     forEachElement(document, accessor, componentSize * array.components, name,
                    [&](std::size_t element, const std::uint8_t* at) {
@@ -247,12 +252,7 @@ std::vector<std::uint32_t> readIndices(const GltfDocument& document, int index,
                          std::to_string(accessor.componentType) +
                          ", but must be a scalar of an unsigned integer type.");
     const std::size_t size = bytesOf(accessor.componentType);
-    if (accessor.bufferView < 0 && accessor.count > (1u << 24))
-        throw InputError(document.where(name) + ".count is " + std::to_string(accessor.count) +
-                         " without any data.");
-    if (accessor.bufferView >= 0)
-        elements(document, accessor.bufferView, accessor.byteOffset, accessor.count, size, true,
-                 name);
+    requireData(document, accessor, size, name);
     std::vector<std::uint32_t> indices(accessor.count);
     forEachElement(document, accessor, size, name,
                    [&](std::size_t element, const std::uint8_t* at) {

@@ -42,6 +42,12 @@ Casters castersOf(const Geometry& geometry, const std::vector<Material>& materia
     return casters;
 }
 
+std::vector<std::size_t> casterCounts(const Scene& scene, bool castMasked) {
+    return byGeometry(scene.batches, [&](std::size_t i) {
+        return castersOf(scene.batches[i], scene.materials, castMasked).indices.size() / 3;
+    });
+}
+
 namespace {
 
 CasterMesh grouped(WeldedMesh welded, const Casters& casters) {

@@ -33,6 +33,9 @@ inline Casters castersOf(const Batch& batch, const std::vector<Material>& materi
     return castersOf(*batch.geometry, materials, castMasked);
 }
 
+/// The number of casting triangles of each batch.
+std::vector<std::size_t> casterCounts(const Scene& scene, bool castMasked);
+
 /// Welded casters.
 struct CasterMesh {
     WeldedMesh welded;

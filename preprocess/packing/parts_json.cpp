@@ -1,5 +1,7 @@
 #include "preprocess/packing/parts_json.hpp"
 
+#include "preprocess/base/names.hpp"
+
 #include <cmath>
 
 namespace edgeshade {
@@ -14,14 +16,8 @@ Json toJson(const glm::dvec3& v) {
 } // namespace
 
 const char* nameOf(SceneLight::Kind kind) {
-    switch (kind) {
-    case SceneLight::Kind::directional:
-        return "directional";
-    case SceneLight::Kind::point:
-        return "point";
-    default:
-        return "spot";
-    }
+    using enum SceneLight::Kind;
+    return nameIn({{directional, "directional"}, {point, "point"}, {spot, "spot"}}, kind);
 }
 
 Json partsJson(const std::vector<AnimationTitle>& animations) {

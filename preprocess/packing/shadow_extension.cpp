@@ -1,5 +1,6 @@
 #include "preprocess/packing/shadow_extension.hpp"
 
+#include "preprocess/base/names.hpp"
 #include "preprocess/gltf/accessor.hpp"
 #include "preprocess/gltf/json_field.hpp"
 #include "shaders_es2/record_layout.glsl"
@@ -30,32 +31,22 @@ double notNegative(const JsonField& field) {
     return value;
 }
 
-Encoding encodingOf(const JsonField& field) {
+/// The value whose name the field holds.
+template <class Value>
+Value namedBy(const JsonField& field, std::initializer_list<Value> known) {
     const std::string name = field.text();
-    for (const Encoding candidate : {Encoding::expanded, Encoding::indexed, Encoding::none})
-        if (name == nameOf(candidate)) return candidate;
-    field.fail(" is '" + name + "', which is not known");
-}
-
-InstanceChoice instancesOf(const JsonField& field) {
-    const std::string name = field.text();
-    for (const InstanceChoice candidate :
-         {InstanceChoice::automatic, InstanceChoice::shared, InstanceChoice::repeated})
-        if (name == nameOf(candidate)) return candidate;
+    for (const Value value : known)
+        if (name == nameOf(value)) return value;
     field.fail(" is '" + name + "', which is not known");
 }
 
 } // namespace
 
 const char* nameOf(Encoding encoding) {
-    switch (encoding) {
-    case Encoding::expanded:
-        return "expanded";
-    case Encoding::indexed:
-        return "indexed";
-    default:
-        return "none";
-    }
+    return nameIn({{Encoding::expanded, "expanded"},
+                   {Encoding::indexed, "indexed"},
+                   {Encoding::none, "none"}},
+                  encoding);
 }
 
 std::string hashText(std::uint64_t value) {
@@ -88,7 +79,8 @@ std::optional<ShadowHeader> readShadowHeader(const GltfDocument& document) {
         version.fail(" is " + std::to_string(version.index()) + "; this program reads version " +
                      std::to_string(shadowExtensionVersion));
     ShadowHeader header;
-    header.encoding = encodingOf(extension.member("encoding"));
+    header.encoding = namedBy(extension.member("encoding"),
+                              {Encoding::expanded, Encoding::indexed, Encoding::none});
     const JsonField multiplicity = extension.member("maxMultiplicity");
     const auto value = multiplicity.integer();
     if (value < 1 || value > LARGEST_RECORD_MULTIPLICITY)
@@ -105,7 +97,8 @@ std::optional<ShadowHeader> readShadowHeader(const GltfDocument& document) {
     header.settings.castMasked = extension.member("castMasked").boolean();
     header.settings.instances = InstanceChoice::repeated;
     extension.ifPresent("instances", [&](const JsonField& instances) {
-        header.settings.instances = instancesOf(instances);
+        using enum InstanceChoice;
+        header.settings.instances = namedBy(instances, {automatic, shared, repeated});
     });
     extension.member("batches").forEachItem(checkBatch);
     return header;

@@ -203,31 +203,21 @@ void readCasters(const GltfDocument& document, const ShadowHeader& header, Scene
 }
 
 Shadows readShadows(const GltfDocument& document, const ShadowHeader& header, const Scene& scene) {
-    const std::vector<std::size_t> first = firstOfGeometry(scene.batches);
-    Shadows shadows;
     std::size_t entry = 0;
-    for (std::size_t i = 0; i < first.size(); ++i) {
-        if (first[i] != i) {
-            shadows.push_back(shadows[first[i]]);
-            continue;
-        }
+    return byGeometry(scene.batches, [&](std::size_t i) {
         const Batch& batch = scene.batches[i];
         const BatchReader reader(document, entry++);
         BatchTopology topology;
         topology.mesh =
             weldCasters(batch, castersOf(batch, scene.materials, header.settings.castMasked));
-        if (header.encoding == Encoding::expanded) {
-            shadows.push_back(std::make_shared<const BatchShadow>(reader.readExpanded(
-                topology.mesh, topology.mesh.welded.triangles.size(), header.maxMultiplicity)));
-            continue;
-        }
+        if (header.encoding == Encoding::expanded)
+            return std::make_shared<const BatchShadow>(reader.readExpanded(
+                topology.mesh, topology.mesh.welded.triangles.size(), header.maxMultiplicity));
         topology.edges = header.encoding == Encoding::indexed
                              ? reader.readIndexed(topology.mesh.welded)
                              : buildEdges(topology.mesh.welded);
-        shadows.push_back(
-            std::make_shared<const BatchShadow>(buildShadow(topology, header.maxMultiplicity)));
-    }
-    return shadows;
+        return std::make_shared<const BatchShadow>(buildShadow(topology, header.maxMultiplicity));
+    });
 }
 
 } // namespace edgeshade

@@ -2,6 +2,7 @@
 
 #include "preprocess/base/error.hpp"
 #include "preprocess/base/longest_axis.hpp"
+#include "preprocess/base/vectors.hpp"
 #include "preprocess/mesh/weld.hpp"
 #include "preprocess/reading/camera_reading.hpp"
 #include "preprocess/reading/light_reading.hpp"
@@ -34,7 +35,7 @@ glm::dvec3 localOrigin(const std::vector<Piece>& pieces) {
         }
     const double diagonal = box.diagonal() > 0.0 ? box.diagonal() : ofMeshes.diagonal();
     const glm::dvec3 center = box.center();
-    const double distance = std::max({std::abs(center.x), std::abs(center.y), std::abs(center.z)});
+    const double distance = largestComponent(center);
     return distance > 2.0 * diagonal ? center : glm::dvec3(0.0);
 }
 

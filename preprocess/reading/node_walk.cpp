@@ -1,40 +1,26 @@
 #include "preprocess/reading/node_walk.hpp"
 
 #include "preprocess/base/error.hpp"
+#include "preprocess/base/vectors.hpp"
 #include "preprocess/gltf/json_field.hpp"
 #include "preprocess/gltf/tinygltf_model.hpp"
 #include "preprocess/reading/rest_transform.hpp"
 #include "preprocess/scene/node_transform.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <set>
 
 namespace edgeshade {
 namespace {
 
-bool isFinite(const glm::dmat4& matrix) {
-    for (glm::length_t c = 0; c < 4; ++c)
-        for (glm::length_t r = 0; r < 4; ++r)
-            if (!std::isfinite(matrix[c][r])) return false;
-    return true;
-}
-
-std::set<int> animatedNodes(const GltfDocument& document) {
+/// Nodes of animated paths that count: isOne(path).
+template <class IsOne>
+std::set<int> animatedNodes(const GltfDocument& document, const IsOne& isOne) {
     std::set<int> nodes;
     for (const auto& animation : document.model->animations)
         for (const auto& channel : animation.channels)
-            if (channel.target_path != "weights") nodes.insert(channel.target_node);
-    return nodes;
-}
-
-/// Nodes whose scale is animated, and with it their handedness.
-std::set<int> scaledNodes(const GltfDocument& document) {
-    std::set<int> nodes;
-    for (const auto& animation : document.model->animations)
-        for (const auto& channel : animation.channels)
-            if (channel.target_path == "scale") nodes.insert(channel.target_node);
+            if (isOne(channel.target_path)) nodes.insert(channel.target_node);
     return nodes;
 }
 
@@ -128,7 +114,10 @@ Handedness handOf(Handedness above, int node, const glm::dmat4& local, bool scal
 
 NodeWalk walkNodes(const GltfDocument& document) {
     const auto& nodes = document.model->nodes;
-    const std::set<int> animated = animatedNodes(document), scaled = scaledNodes(document);
+    const auto animated =
+        animatedNodes(document, [](const std::string& path) { return path != "weights"; });
+    const auto scaled = // and with their scale their handedness
+        animatedNodes(document, [](const std::string& path) { return path == "scale"; });
     NodeWalk walk;
     walk.worldFromNode.assign(nodes.size(), glm::dmat4(1.0));
     walk.unflattened = walk.worldFromNode;

@@ -1,5 +1,7 @@
 #include "preprocess/scene/instance_choice.hpp"
 
+#include "preprocess/base/names.hpp"
+
 namespace edgeshade {
 namespace {
 
@@ -8,14 +10,8 @@ constexpr std::size_t leastTriangles = 256;
 } // namespace
 
 const char* nameOf(InstanceChoice choice) {
-    switch (choice) {
-    case InstanceChoice::shared:
-        return "shared";
-    case InstanceChoice::repeated:
-        return "repeated";
-    default:
-        return "auto";
-    }
+    using enum InstanceChoice;
+    return nameIn({{shared, "shared"}, {repeated, "repeated"}, {automatic, "auto"}}, choice);
 }
 
 bool sharingPays(InstanceChoice choice, std::size_t triangles, std::size_t places) {

@@ -1,24 +1,14 @@
 #include "preprocess/scene/node_transform.hpp"
 
+#include "preprocess/base/vectors.hpp"
 #include "preprocess/scene/extremes.hpp"
-
-#include <algorithm>
-#include <cmath>
 
 namespace edgeshade {
 namespace {
 
-double largestOf(const glm::dvec3& v) {
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
-bool isFinite(const glm::dvec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 /// The vector at length 1, whatever its size; null if it is 0 or not finite.
 std::optional<glm::dvec3> unit(const glm::dvec3& v) {
-    const double largest = largestOf(v);
+    const double largest = largestComponent(v);
     if (!isFinite(v) || largest == 0.0) return std::nullopt;
     return glm::normalize(v / largest);
 }
@@ -30,7 +20,8 @@ constexpr double nothing = 1e-9;
 glm::dmat4 mended(const glm::dmat4& transform, const glm::dmat4& unflattened) {
     glm::dmat4 mended = transform;
     for (glm::length_t c = 0; c < 3; ++c)
-        if (largestOf(glm::dvec3(transform[c])) <= nothing * largestOf(glm::dvec3(unflattened[c])))
+        if (largestComponent(glm::dvec3(transform[c])) <=
+            nothing * largestComponent(glm::dvec3(unflattened[c])))
             mended[c] = unflattened[c];
     return mended;
 }
@@ -55,7 +46,7 @@ glm::dmat4 NodeTransform::unflattened() const {
 glm::dmat4 unflattened(const glm::dmat4& parentFromNode) {
     glm::dmat4 mended = parentFromNode;
     for (glm::length_t c = 0; c < 3; ++c) {
-        if (largestOf(glm::dvec3(parentFromNode[c])) != 0.0) continue;
+        if (largestComponent(glm::dvec3(parentFromNode[c])) != 0.0) continue;
         const auto next = unit(glm::dvec3(parentFromNode[(c + 1) % 3]));
         const auto last = unit(glm::dvec3(parentFromNode[(c + 2) % 3]));
         if (next && last) mended[c] = glm::dvec4(glm::cross(*next, *last), 0.0);
@@ -65,7 +56,7 @@ glm::dmat4 unflattened(const glm::dmat4& parentFromNode) {
 
 std::optional<glm::dvec3> originOf(const glm::dmat4& transform) {
     const glm::dvec3 origin(transform[3]);
-    if (!isFinite(origin) || largestOf(origin) > farthestPlace) return std::nullopt;
+    if (!isFinite(origin) || largestComponent(origin) > farthestPlace) return std::nullopt;
     return origin;
 }
 
@@ -81,7 +72,7 @@ std::optional<glm::dmat3> turnOf(const glm::dmat4& transform, const glm::dmat4& 
     if (transform == unflattened) return turnOf(transform);
     const glm::dmat4 told = mended(transform, unflattened);
     const auto back = unit(glm::dvec3(told[2])), upward = unit(glm::dvec3(told[1]));
-    const bool parallel = back && upward && largestOf(glm::cross(*upward, *back)) <= nothing;
+    const bool parallel = back && upward && largestComponent(glm::cross(*upward, *back)) <= nothing;
     return turnOf(parallel ? unflattened : told);
 }
 

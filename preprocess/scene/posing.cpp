@@ -1,10 +1,10 @@
 #include "preprocess/scene/posing.hpp"
 
+#include "preprocess/base/vectors.hpp"
 #include "preprocess/scene/vertex_transform.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
 #include <unordered_map>
 
@@ -108,10 +108,6 @@ class PartPoser {
     std::vector<Rows> joints_;
 };
 
-bool isFinite(const glm::vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 /// A batch's posed vertices.
 struct Posed {
     std::vector<glm::vec3> positions;
@@ -130,7 +126,7 @@ bool posePart(const Batch& batch, const BatchShape& shape, std::size_t index, Po
         const glm::dmat4 matrix = poser.matrixOf(v);
         const glm::vec3 position =
             glm::vec3(glm::dvec3(matrix * glm::dvec4(morphed.position, 1.0))) + 0.0f;
-        if (!isFinite(position)) return false;
+        if (!isFinite(glm::dvec3(position))) return false;
         if (flat) {
             ofMesh[v] = position;
             continue;

@@ -13,6 +13,7 @@
 #include <glm/glm.hpp>
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 namespace edgeshade {
@@ -114,6 +115,17 @@ struct Scene {
 
 /// For each batch, the first batch with the same geometry, perhaps itself.
 std::vector<std::size_t> firstOfGeometry(const std::vector<Batch>& batches);
+
+/// For each batch make(i), called once a geometry: for the first batch i that has it.
+template <class Make>
+auto byGeometry(const std::vector<Batch>& batches, const Make& make) {
+    const std::vector<std::size_t> first = firstOfGeometry(batches);
+    std::vector<std::invoke_result_t<Make, std::size_t>> made;
+    made.reserve(first.size());
+    for (std::size_t i = 0; i < first.size(); ++i)
+        made.push_back(first[i] != i ? made[first[i]] : make(i));
+    return made;
+}
 
 /// The glTF node of the mesh with the triangle at that index; -1 for the ground.
 int nodeOf(const Batch& batch, std::uint32_t index);

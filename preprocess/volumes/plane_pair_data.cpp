@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 
 namespace edgeshade {
 namespace {
@@ -365,6 +366,16 @@ PlanePairShadow buildPlanePairs(const Batch& batch, const Casters& casters,
     return shadow;
 }
 
+WeldedMesh weldCaps(std::span<const CapRecord> caps) {
+    std::vector<glm::vec3> corners;
+    corners.reserve(3 * caps.size());
+    for (const CapRecord& cap : caps)
+        corners.insert(corners.end(), {cap.a, cap.b, cap.c});
+    std::vector<std::uint32_t> indices(corners.size());
+    std::iota(indices.begin(), indices.end(), 0u);
+    return weld(corners, indices);
+}
+
 PlanePairShadow posedPlanePairs(const PlanePairShadow& shadow, const Batch& batch) {
     PlanePairShadow posed = shadow;
     const Poser poser(*shadow.vertices, batch);
@@ -423,14 +434,6 @@ PlanePairCosts costsOf(const SideCounts& sides, std::size_t flatEdges, std::size
 
 } // namespace
 
-PlanePairCosts costsOf(const PlanePairShadow& shadow) {
-    PlanePairCosts costs = costsOf(SideCounts{shadow.pairs.size(), shadow.singles.size()},
-                                   shadow.flatEdges, shadow.caps.size());
-    for (const ShadowCluster& cluster : shadow.clusters)
-        costs.sideRuns += sideRunsOf({cluster.pairs.count, cluster.singles.count}, cluster.closed);
-    return costs;
-}
-
 PlanePairCosts planePairCosts(const CasterMesh& mesh, const EdgeList& edges,
                               const Components& components, const std::vector<Material>& materials,
                               double flatTolerance, bool deforms, Threads threads) {
@@ -470,19 +473,12 @@ PlanePairCosts planePairCosts(const CasterMesh& mesh, const EdgeList& edges,
 
 std::vector<std::shared_ptr<const PlanePairShadow>>
 buildPlanePairs(const Scene& scene, bool castMasked, double flatTolerance) {
-    std::vector<std::shared_ptr<const PlanePairShadow>> shadows;
-    const std::vector<std::size_t> first = firstOfGeometry(scene.batches);
-    for (std::size_t i = 0; i < first.size(); ++i) {
-        if (first[i] != i) {
-            shadows.push_back(shadows[first[i]]);
-            continue;
-        }
+    return byGeometry(scene.batches, [&](std::size_t i) {
         const Batch& batch = scene.batches[i];
         const Casters casters = castersOf(batch, scene.materials, castMasked);
-        shadows.push_back(std::make_shared<const PlanePairShadow>(
-            buildPlanePairs(batch, casters, scene.materials, flatTolerance)));
-    }
-    return shadows;
+        return std::make_shared<const PlanePairShadow>(
+            buildPlanePairs(batch, casters, scene.materials, flatTolerance));
+    });
 }
 
 } // namespace edgeshade

@@ -139,7 +139,6 @@ struct PlanePairCosts {
     /// The cost of one more place for existing records: vertices.
     PlanePairCosts runsAlone() const;
 };
-PlanePairCosts costsOf(const PlanePairShadow& shadow);
 
 /// The costs of buildPlanePairs() with the same arguments, without making the records.
 /// `components`: the mesh's. `deforms`: no pair is dropped.
@@ -157,6 +156,9 @@ PlanePairShadow buildPlanePairs(const CasterMesh& mesh, const EdgeList& edges,
 /// RecordVertices and without patches.
 PlanePairShadow buildPlanePairs(const Batch& batch, const Casters& casters,
                                 const std::vector<Material>& materials, double flatTolerance);
+
+/// The triangles of the caps, welded as weld() does.
+WeldedMesh weldCaps(std::span<const CapRecord> caps);
 
 /// The records of a deforming batch, made by buildPlanePairs(), at its current vertices. Only
 /// positions, planes and boxes differ.

@@ -24,23 +24,15 @@ void weldAndHash(const Batch& batch, const std::vector<Material>& materials, boo
 
 Topologies buildTopology(const Scene& scene, bool castMasked, BuildSeconds& seconds,
                          Threads threads) {
-    const std::vector<std::size_t> first = firstOfGeometry(scene.batches);
-    Topologies topology;
-    for (std::size_t i = 0; i < first.size(); ++i) {
-        if (first[i] != i) {
-            topology.push_back(topology[first[i]]);
-            continue;
-        }
+    return byGeometry(scene.batches, [&](std::size_t i) -> std::shared_ptr<const BatchTopology> {
         Stopwatch watch;
-        const Batch& batch = scene.batches[i];
         const auto built = std::make_shared<BatchTopology>();
-        weldAndHash(batch, scene.materials, castMasked, threads, *built);
+        weldAndHash(scene.batches[i], scene.materials, castMasked, threads, *built);
         seconds.weld += watch.lap();
         built->edges = buildEdges(built->mesh.welded, threads);
         seconds.edges += watch.lap();
-        topology.push_back(built);
-    }
-    return topology;
+        return built;
+    });
 }
 
 int sceneMultiplicity(const Topologies& topology) {
@@ -68,13 +60,9 @@ Shadows buildShadows(const Scene& scene, bool castMasked) {
     BuildSeconds seconds;
     const Topologies topology = buildTopology(scene, castMasked, seconds);
     const int maxMultiplicity = sceneMultiplicity(topology);
-    const std::vector<std::size_t> first = firstOfGeometry(scene.batches);
-    Shadows shadows;
-    for (std::size_t i = 0; i < first.size(); ++i)
-        shadows.push_back(first[i] != i ? shadows[first[i]]
-                                        : std::make_shared<const BatchShadow>(
-                                              buildShadow(*topology[i], maxMultiplicity)));
-    return shadows;
+    return byGeometry(scene.batches, [&](std::size_t i) {
+        return std::make_shared<const BatchShadow>(buildShadow(*topology[i], maxMultiplicity));
+    });
 }
 
 } // namespace edgeshade

@@ -1,7 +1,7 @@
 #include "src/bench/synthetic_layouts.hpp"
 
 #include "src/render/volumes/plane_pair_volumes.hpp"
-#include "src/rivals/published/sides_pass.hpp"
+#include "src/rivals/published/record_passes.hpp"
 
 #include <algorithm>
 
@@ -13,14 +13,14 @@ class OppositeVertexSubject : public SyntheticSubject {
   public:
     OppositeVertexSubject(const SyntheticMesh& mesh, int oppositeCount, MultiplicityMethod method,
                           SidesLayout layout, const gl::Capabilities& capabilities)
-        : pass_(method, layout, capabilities.instancing, {"DEGENERATE"}) {
+        : passes_(method, layout, capabilities.instancing, {"DEGENERATE"}) {
         const int maxMultiplicity =
             recordMultiplicityFor(static_cast<std::uint32_t>(oppositeCount));
         BatchShadow shadow;
         shadow.sides = buildSides(mesh.positions, mesh.edges, maxMultiplicity);
         recordsPerEdge_ = shadow.sides.recordCount() / mesh.edges.edges.size();
         buffers_ = uploadShadow(shadow, {}, layout);
-        pass_.prepare(buffers_.maxMultiplicity);
+        passes_.prepareSides(buffers_.maxMultiplicity);
         for (const RecordChunk& chunk : buffers_.sides)
             wholeChunks_.push_back(chunk.recordCount);
     }
@@ -31,14 +31,14 @@ class OppositeVertexSubject : public SyntheticSubject {
             buffers_.sides[i].recordCount = std::min(left, wholeChunks_[i]);
             left -= buffers_.sides[i].recordCount;
         }
-        const gl::Program& program = pass_.use(buffers_.maxMultiplicity);
+        const gl::Program& program = passes_.useSides(buffers_.maxMultiplicity);
         program.set("u_light", syntheticLight);
         program.set("u_clipFromObject", glm::mat4(1.0f));
-        pass_.draw(buffers_);
+        passes_.drawSides(buffers_);
     }
 
   private:
-    SidesPass pass_;
+    RecordPasses passes_;
     ShadowBuffers buffers_;
     std::vector<std::size_t> wholeChunks_; ///< records
     std::size_t recordsPerEdge_ = 1;

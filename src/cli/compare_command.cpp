@@ -42,16 +42,10 @@ struct CompareOptions : SceneOptions {
 using Json = nlohmann::ordered_json;
 
 Json countsJson(const lab::WrongCounts& counts) {
-    return {{"pixels", counts.pixels},
-            {"visible_pixels", counts.visiblePixels},
-            {"wrong_mask_pixels", counts.wrongMaskPixels},
-            {"wrong_mask_beyond_1px", counts.wrongMaskBeyond1px},
-            {"wrong_image_pixels", counts.wrongImagePixels},
-            {"wrong_image_beyond_1px", counts.wrongImageBeyond1px},
-            {"tie_pixels", counts.tiePixels},
-            {"wrong_image_beyond_1px_not_tied", counts.beyond1pxNotTied},
-            {"device_tie_pixels", counts.deviceTiePixels},
-            {"wrong_image_beyond_1px_not_device_tied", counts.beyond1pxNotDeviceTied}};
+    Json json;
+    for (const auto& [key, count] : lab::WrongCounts::keys)
+        json[key] = counts.*count;
+    return json;
 }
 
 Json resultJson(const lab::CompareResult& result, DrawSettings settings,

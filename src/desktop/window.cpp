@@ -58,8 +58,7 @@ Window::Window(const WindowRequest& request) {
     const gl::Capabilities device = gl::queryCapabilities(lookUp);
     capabilities_ = gl::limited(device, request.limits);
     gl::coarsenDepth(device.depthBits, capabilities_.depthBits);
-    GLint alphaBits = 0;
-    glGetIntegerv(GL_ALPHA_BITS, &alphaBits);
+    const int alphaBits = gl::integerOf(GL_ALPHA_BITS);
     reset_ = gl::ResetStatus::find(device.version, device.extensions, lookUp);
     if (capabilities_.depthBits >= 16 && capabilities_.stencilBits >= 8 && alphaBits >= 8) return;
     glfwDestroyWindow(window_);

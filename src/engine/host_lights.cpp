@@ -1,6 +1,7 @@
 #include "src/engine/host_lights.hpp"
 
 #include "preprocess/base/error.hpp"
+#include "preprocess/base/vectors.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -11,10 +12,6 @@ namespace {
 
 glm::dvec3 vectorOf(const std::array<double, 3>& numbers) {
     return {numbers[0], numbers[1], numbers[2]};
-}
-
-bool isFinite(const glm::dvec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 Light lightOf(const MaskLight& from, const std::string& name) {

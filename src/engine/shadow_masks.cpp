@@ -133,9 +133,7 @@ void MaskDrawing::drawLight(const FrameView& view, std::size_t light) {
     const auto writes = [&](std::size_t c) -> GLboolean { return light % channels == c; };
     glColorMask(writes(0), writes(1), writes(2), writes(3));
     const gl::Program& program = channel.use();
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, seen.texture);
-    program.setSampler("u_visibility", 0);
+    program.setTexture("u_visibility", 0, seen.texture);
     program.set("u_texel", 1.0f / seen.size);
     channel.draw();
     glBindTexture(GL_TEXTURE_2D, 0);

@@ -1,5 +1,7 @@
 #include "src/gl/capabilities.hpp"
 
+#include "src/gl/objects.hpp"
+
 #include <algorithm>
 #include <GLES2/gl2.h>
 
@@ -9,12 +11,6 @@ namespace {
 std::string text(GLenum name) {
     const GLubyte* string = glGetString(name);
     return string ? reinterpret_cast<const char*>(string) : "";
-}
-
-int integer(GLenum name) {
-    GLint value = 0;
-    glGetIntegerv(name, &value);
-    return value;
 }
 
 /// Mantissa bits of the stage's highp; 0 without highp.
@@ -37,16 +33,16 @@ Capabilities queryCapabilities(void* (*lookUp)(const char*)) {
     capabilities.renderer = text(GL_RENDERER);
     capabilities.version = text(GL_VERSION);
     capabilities.extensions = text(GL_EXTENSIONS);
-    capabilities.depthBits = integer(GL_DEPTH_BITS);
-    capabilities.subpixelBits = std::max(integer(GL_SUBPIXEL_BITS), leastSubpixelBits);
-    capabilities.stencilBits = integer(GL_STENCIL_BITS);
-    capabilities.samples = integer(GL_SAMPLES);
-    capabilities.vertexAttributes = integer(GL_MAX_VERTEX_ATTRIBS);
-    capabilities.largestTexture = integer(GL_MAX_TEXTURE_SIZE);
-    capabilities.textureUnits = integer(GL_MAX_TEXTURE_IMAGE_UNITS);
-    capabilities.varyingVectors = integer(GL_MAX_VARYING_VECTORS);
-    capabilities.vertexUniformVectors = integer(GL_MAX_VERTEX_UNIFORM_VECTORS);
-    capabilities.fragmentUniformVectors = integer(GL_MAX_FRAGMENT_UNIFORM_VECTORS);
+    capabilities.depthBits = integerOf(GL_DEPTH_BITS);
+    capabilities.subpixelBits = std::max(integerOf(GL_SUBPIXEL_BITS), leastSubpixelBits);
+    capabilities.stencilBits = integerOf(GL_STENCIL_BITS);
+    capabilities.samples = integerOf(GL_SAMPLES);
+    capabilities.vertexAttributes = integerOf(GL_MAX_VERTEX_ATTRIBS);
+    capabilities.largestTexture = integerOf(GL_MAX_TEXTURE_SIZE);
+    capabilities.textureUnits = integerOf(GL_MAX_TEXTURE_IMAGE_UNITS);
+    capabilities.varyingVectors = integerOf(GL_MAX_VARYING_VECTORS);
+    capabilities.vertexUniformVectors = integerOf(GL_MAX_VERTEX_UNIFORM_VECTORS);
+    capabilities.fragmentUniformVectors = integerOf(GL_MAX_FRAGMENT_UNIFORM_VECTORS);
     capabilities.vertexHighpMantissaBits = highpMantissaBits(GL_VERTEX_SHADER);
     capabilities.fragmentHighpMantissaBits = highpMantissaBits(GL_FRAGMENT_SHADER);
     capabilities.instancing =

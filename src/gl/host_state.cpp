@@ -1,5 +1,7 @@
 #include "src/gl/host_state.hpp"
 
+#include "src/gl/objects.hpp"
+
 #include <GLES2/gl2.h>
 
 namespace edgeshade::gl {
@@ -28,12 +30,6 @@ constexpr GLenum storage[] = {GL_PACK_ALIGNMENT, GL_UNPACK_ALIGNMENT};
 constexpr GLenum es3Storage[] = {
     0x0CF2, 0x0CF3, 0x0CF4, 0x806D, 0x806E, // UNPACK_: ROW_LENGTH, SKIP_ROWS, SKIP_PIXELS, images
     0x0D02, 0x0D03, 0x0D04};                // PACK_: ROW_LENGTH, SKIP_ROWS, SKIP_PIXELS
-
-int integer(GLenum name) {
-    GLint value = 0;
-    glGetIntegerv(name, &value);
-    return value;
-}
 
 GLenum word(int value) {
     return static_cast<GLenum>(value);
@@ -64,37 +60,37 @@ HostState::HostState(const HostFunctions& functions, const OwnArrays& arrays)
     for (const GLenum name : switches)
         switches_.emplace_back(name, glIsEnabled(name) == GL_TRUE);
     for (const GLenum name : storage)
-        storage_.emplace_back(name, integer(name));
+        storage_.emplace_back(name, integerOf(name));
     if (functions_.es3) {
         for (const GLenum name : es3Switches)
             switches_.emplace_back(name, glIsEnabled(name) == GL_TRUE);
         for (const GLenum name : es3Storage)
-            storage_.emplace_back(name, integer(name));
-        packBuffer_ = integer(packBufferBinding);
-        unpackBuffer_ = integer(unpackBufferBinding);
-        readFramebuffer_ = integer(readFramebufferBinding);
+            storage_.emplace_back(name, integerOf(name));
+        packBuffer_ = integerOf(packBufferBinding);
+        unpackBuffer_ = integerOf(unpackBufferBinding);
+        readFramebuffer_ = integerOf(readFramebufferBinding);
     }
-    framebuffer_ = integer(GL_FRAMEBUFFER_BINDING);
-    renderbuffer_ = integer(GL_RENDERBUFFER_BINDING);
-    program_ = integer(GL_CURRENT_PROGRAM);
-    arrayBuffer_ = integer(GL_ARRAY_BUFFER_BINDING);
-    activeTexture_ = integer(GL_ACTIVE_TEXTURE);
-    units_.resize(static_cast<std::size_t>(integer(GL_MAX_TEXTURE_IMAGE_UNITS)));
+    framebuffer_ = integerOf(GL_FRAMEBUFFER_BINDING);
+    renderbuffer_ = integerOf(GL_RENDERBUFFER_BINDING);
+    program_ = integerOf(GL_CURRENT_PROGRAM);
+    arrayBuffer_ = integerOf(GL_ARRAY_BUFFER_BINDING);
+    activeTexture_ = integerOf(GL_ACTIVE_TEXTURE);
+    units_.resize(static_cast<std::size_t>(integerOf(GL_MAX_TEXTURE_IMAGE_UNITS)));
     for (std::size_t i = 0; i < units_.size(); ++i) {
         glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
-        units_[i].texture = integer(GL_TEXTURE_BINDING_2D);
-        if (functions_.bindSampler) units_[i].sampler = integer(samplerBinding);
+        units_[i].texture = integerOf(GL_TEXTURE_BINDING_2D);
+        if (functions_.bindSampler) units_[i].sampler = integerOf(samplerBinding);
     }
-    blendSource_ = integer(GL_BLEND_SRC_RGB);
-    blendTarget_ = integer(GL_BLEND_DST_RGB);
-    blendSourceAlpha_ = integer(GL_BLEND_SRC_ALPHA);
-    blendTargetAlpha_ = integer(GL_BLEND_DST_ALPHA);
-    blendEquation_ = integer(GL_BLEND_EQUATION_RGB);
-    blendEquationAlpha_ = integer(GL_BLEND_EQUATION_ALPHA);
-    cullFace_ = integer(GL_CULL_FACE_MODE);
-    frontFace_ = integer(GL_FRONT_FACE);
-    depthFunction_ = integer(GL_DEPTH_FUNC);
-    stencilClear_ = integer(GL_STENCIL_CLEAR_VALUE);
+    blendSource_ = integerOf(GL_BLEND_SRC_RGB);
+    blendTarget_ = integerOf(GL_BLEND_DST_RGB);
+    blendSourceAlpha_ = integerOf(GL_BLEND_SRC_ALPHA);
+    blendTargetAlpha_ = integerOf(GL_BLEND_DST_ALPHA);
+    blendEquation_ = integerOf(GL_BLEND_EQUATION_RGB);
+    blendEquationAlpha_ = integerOf(GL_BLEND_EQUATION_ALPHA);
+    cullFace_ = integerOf(GL_CULL_FACE_MODE);
+    frontFace_ = integerOf(GL_FRONT_FACE);
+    depthFunction_ = integerOf(GL_DEPTH_FUNC);
+    stencilClear_ = integerOf(GL_STENCIL_CLEAR_VALUE);
     front_ = stencilOf(false);
     back_ = stencilOf(true);
     glGetIntegerv(GL_VIEWPORT, viewport_.data());
@@ -155,11 +151,11 @@ HostState::~HostState() {
 
 void HostState::saveArrays() {
     if (functions_.hasVertexArrays()) {
-        vertexArray_ = integer(vertexArrayBinding);
+        vertexArray_ = integerOf(vertexArrayBinding);
         return;
     }
-    elementBuffer_ = integer(GL_ELEMENT_ARRAY_BUFFER_BINDING);
-    attributes_.resize(static_cast<std::size_t>(integer(GL_MAX_VERTEX_ATTRIBS)));
+    elementBuffer_ = integerOf(GL_ELEMENT_ARRAY_BUFFER_BINDING);
+    attributes_.resize(static_cast<std::size_t>(integerOf(GL_MAX_VERTEX_ATTRIBS)));
     for (std::size_t i = 0; i < attributes_.size(); ++i) {
         Attribute& of = attributes_[i];
         const auto index = static_cast<GLuint>(i);
@@ -206,7 +202,7 @@ void setDrawingDefaults(const HostFunctions& functions) {
         glBindBuffer(packBuffer, 0);
         glBindBuffer(unpackBuffer, 0);
     }
-    const int units = functions.bindSampler ? integer(GL_MAX_TEXTURE_IMAGE_UNITS) : 0;
+    const int units = functions.bindSampler ? integerOf(GL_MAX_TEXTURE_IMAGE_UNITS) : 0;
     for (int i = 0; i < units; ++i)
         functions.bindSampler(static_cast<unsigned>(i), 0);
     glBlendEquation(GL_FUNC_ADD);
@@ -222,20 +218,20 @@ void setDrawingDefaults(const HostFunctions& functions) {
 
 HostState::StencilFace HostState::stencilOf(bool back) const {
     if (back)
-        return {integer(GL_STENCIL_BACK_FUNC),
-                integer(GL_STENCIL_BACK_REF),
-                integer(GL_STENCIL_BACK_VALUE_MASK),
-                integer(GL_STENCIL_BACK_FAIL),
-                integer(GL_STENCIL_BACK_PASS_DEPTH_FAIL),
-                integer(GL_STENCIL_BACK_PASS_DEPTH_PASS),
-                integer(GL_STENCIL_BACK_WRITEMASK)};
-    return {integer(GL_STENCIL_FUNC),
-            integer(GL_STENCIL_REF),
-            integer(GL_STENCIL_VALUE_MASK),
-            integer(GL_STENCIL_FAIL),
-            integer(GL_STENCIL_PASS_DEPTH_FAIL),
-            integer(GL_STENCIL_PASS_DEPTH_PASS),
-            integer(GL_STENCIL_WRITEMASK)};
+        return {integerOf(GL_STENCIL_BACK_FUNC),
+                integerOf(GL_STENCIL_BACK_REF),
+                integerOf(GL_STENCIL_BACK_VALUE_MASK),
+                integerOf(GL_STENCIL_BACK_FAIL),
+                integerOf(GL_STENCIL_BACK_PASS_DEPTH_FAIL),
+                integerOf(GL_STENCIL_BACK_PASS_DEPTH_PASS),
+                integerOf(GL_STENCIL_BACK_WRITEMASK)};
+    return {integerOf(GL_STENCIL_FUNC),
+            integerOf(GL_STENCIL_REF),
+            integerOf(GL_STENCIL_VALUE_MASK),
+            integerOf(GL_STENCIL_FAIL),
+            integerOf(GL_STENCIL_PASS_DEPTH_FAIL),
+            integerOf(GL_STENCIL_PASS_DEPTH_PASS),
+            integerOf(GL_STENCIL_WRITEMASK)};
 }
 
 void HostState::restoreStencil(unsigned face, const StencilFace& stencil) const {

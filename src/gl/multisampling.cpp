@@ -69,9 +69,7 @@ MultisampledFramebuffer::MultisampledFramebuffer(int width, int height, int samp
                                                  void* (*lookUp)(const char*))
     : width_(width), height_(height) {
     const auto found = Multisampling::find(version, extensions, lookUp);
-    GLint most = 0;
-    if (found) glGetIntegerv(largestSamples, &most);
-    if (samples > most) unavailable(samples);
+    if (samples > (found ? integerOf(largestSamples) : 0)) unavailable(samples);
     multisampling_ = *found;
 
     Name framebuffer = 0;

@@ -42,6 +42,16 @@ Buffer::Buffer(Kind kind, std::span<const std::byte> bytes) : size_(bytes.size()
     if (bytes.size() >= surelyThere) requireNoError("uploading a buffer");
 }
 
+int integerOf(unsigned name) {
+    GLint value = 0;
+    glGetIntegerv(name, &value);
+    return value;
+}
+
+Name boundFramebuffer() {
+    return static_cast<Name>(integerOf(GL_FRAMEBUFFER_BINDING));
+}
+
 Texture nearestTexture() {
     Name name = 0;
     glGenTextures(1, &name);

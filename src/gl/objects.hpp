@@ -73,6 +73,12 @@ Buffer vertexBuffer(std::span<const T> values) {
     return Buffer(Buffer::Kind::vertices, std::as_bytes(values));
 }
 
+/// The value of the GL's state of that name, which has one number.
+int integerOf(unsigned name);
+
+/// The framebuffer that is bound; 0: the window's.
+Name boundFramebuffer();
+
 /// A texture without an image yet, sampled without filtering and clamped at its edges; of any size.
 /// Left bound to the active unit's GL_TEXTURE_2D.
 Texture nearestTexture();

@@ -112,8 +112,18 @@ void Program::set(const char* uniform, const glm::mat4& value) const {
     glUniformMatrix4fv(location(uniform), 1, GL_FALSE, glm::value_ptr(value));
 }
 
-void Program::setSampler(const char* uniform, int unit) const {
-    glUniform1i(location(uniform), unit);
+void Program::bind(unsigned target, const char* sampler, int unit, Name texture) const {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(target, texture);
+    glUniform1i(location(sampler), unit);
+}
+
+void Program::setTexture(const char* sampler, int unit, Name texture) const {
+    bind(GL_TEXTURE_2D, sampler, unit, texture);
+}
+
+void Program::setCube(const char* sampler, int unit, Name cubeMap) const {
+    bind(GL_TEXTURE_CUBE_MAP, sampler, unit, cubeMap);
 }
 
 } // namespace edgeshade::gl

@@ -31,10 +31,13 @@ class Program {
     void set(const char* uniform, std::span<const glm::vec4> values) const;
     void set(const char* uniform, const glm::mat3& value) const;
     void set(const char* uniform, const glm::mat4& value) const;
-    void setSampler(const char* uniform, int unit) const;
+    /// Binds a texture to the unit, and has the sampler read it.
+    void setTexture(const char* sampler, int unit, Name texture) const;
+    void setCube(const char* sampler, int unit, Name cubeMap) const;
 
   private:
     int location(const char* uniform) const;
+    void bind(unsigned target, const char* sampler, int unit, Name texture) const;
 
     ProgramObject object_;
     std::map<std::string, int, std::less<>> locations_; ///< of the uniforms it has

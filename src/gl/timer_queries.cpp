@@ -55,9 +55,7 @@ std::uint64_t TimerQueries::nanoseconds(Name query) const {
 }
 
 bool TimerQueries::wasDisturbed() const {
-    GLint disjoint = GL_FALSE;
-    glGetIntegerv(GL_GPU_DISJOINT_EXT, &disjoint);
-    return disjoint != GL_FALSE;
+    return integerOf(GL_GPU_DISJOINT_EXT) != GL_FALSE;
 }
 
 } // namespace edgeshade::gl

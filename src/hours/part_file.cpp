@@ -93,15 +93,9 @@ std::map<std::uint32_t, std::string> namesOf(const JsonField& field) {
 Position positionOf(const JsonField& field, std::chrono::minutes offset) {
     Position position;
     const JsonField time = field.member("time");
-    try {
-        const sun::LocalTime read = sun::localTimeFromText(time.text());
-        if (read.offset != offset) time.fail(" has a different offset from UTC than the settings");
-        position.time = read.instant;
-    } catch (const InputError&) {
-        throw;
-    } catch (const Error& error) {
-        time.fail(std::string(" is invalid: ") + error.what());
-    }
+    const sun::LocalTime read = readAs(time, sun::localTimeFromText);
+    if (read.offset != offset) time.fail(" has a different offset from UTC than the settings");
+    position.time = read.instant;
     position.azimuth = field.member("azimuth").number();
     position.altitude = field.member("altitude").number();
     position.direction = vectorOf(field.member("direction"));

@@ -9,23 +9,7 @@ constexpr std::uint64_t longestStep = 24 * 60; ///< minutes
 constexpr double mostHours = 24.0;
 
 std::chrono::sys_days dateOf(const JsonField& field) {
-    try {
-        return sun::dateFromText(field.text());
-    } catch (const InputError&) {
-        throw;
-    } catch (const Error& error) {
-        field.fail(std::string(" is invalid: ") + error.what());
-    }
-}
-
-std::chrono::minutes offsetOf(const JsonField& field) {
-    try {
-        return sun::offsetFromText(field.text());
-    } catch (const InputError&) {
-        throw;
-    } catch (const Error& error) {
-        field.fail(std::string(" is invalid: ") + error.what());
-    }
+    return readAs(field, sun::dateFromText);
 }
 
 } // namespace
@@ -43,7 +27,7 @@ HoursSettings hoursSettings(const JsonField& settings) {
     const std::uint64_t minutes = step.wholeNumber(longestStep);
     if (minutes == 0) step.fail(" is 0, but must be at least 1");
     read.step = std::chrono::minutes(minutes);
-    read.offset = offsetOf(settings.member("utc-offset"));
+    read.offset = readAs(settings.member("utc-offset"), sun::offsetFromText);
     const std::vector<double> place = settings.member("place").numbers(2);
     read.latitude = place[0];
     read.longitude = place[1];

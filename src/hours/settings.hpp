@@ -21,6 +21,17 @@ struct HoursSettings {
     const Preset* preset = nullptr;  ///< null: none
 };
 
+/// read(the field's text), a reader of src/sun/; its failure becomes the field's.
+template <class Read>
+auto readAs(const JsonField& field, Read read) {
+    const std::string text = field.text();
+    try {
+        return read(text);
+    } catch (const Error& error) {
+        field.fail(std::string(" is invalid: ") + error.what());
+    }
+}
+
 /// Reads a run's settings from JSON. Throws InputError if one is missing or invalid.
 HoursSettings hoursSettings(const JsonField& settings);
 

@@ -1,5 +1,6 @@
 #include "src/lab/compare_counts.hpp"
 
+#include "src/lab/compared_frame.hpp"
 #include "src/lab/studio.hpp"
 #include "src/lab/texture_alpha.hpp"
 #include "src/render/frame/prepare_scene.hpp"
@@ -8,14 +9,6 @@
 
 namespace edgeshade::lab {
 namespace {
-
-FrameView frameOf(const LoadedScene& loaded, const FrameRequest& request,
-                  std::optional<int> slices) {
-    FrameView frame = makeFrameView(loaded.scene, loaded.settings.castMasked, request);
-    frame.drawBlended = false;
-    frame.divide(slices);
-    return frame;
-}
 
 LitCounts drawn(Studio& studio, Renderer& renderer, const LoadedScene& loaded,
                 const FrameView& frame, std::vector<LightMethod>& lights) {
@@ -69,7 +62,7 @@ compareCounts(const LoadedScene& loaded, const CompareTask& task,
         request.lights = {task.lights.empty() ? view.light : task.lights.front()};
         request.lightSamples = most;
         progress(static_cast<double>(done++) / steps, "view " + view.name + ", oracle");
-        const FrameView judged = frameOf(loaded, request, {});
+        const FrameView judged = comparedFrame(loaded, request);
         PointOracle oracle({&loaded.scene, loaded.settings.castMasked, judged.frustum,
                             judged.near(), lightPoints(request.lights.front(), most), task.width,
                             task.height, loaded.cutoutsCast},
@@ -82,7 +75,8 @@ compareCounts(const LoadedScene& loaded, const CompareTask& task,
             const std::size_t points = result.settings.lightSamples;
             Renderer renderer = studio.rendererFor(result.settings);
             const LoadedScene& scene = contender.scene ? *contender.scene : loaded;
-            const FrameView frame = frameOf(scene, request, contender.depthSlices);
+            FrameView frame = comparedFrame(scene, request);
+            frame.divide(contender.depthSlices);
             const LitCounts counts = request.lightSamples > 0
                                          ? drawn(studio, renderer, scene, frame, result.lights)
                                          : shares(studio, renderer, scene, frame, points);

@@ -152,4 +152,10 @@ Verdict judgeExactly(const Oracle& oracle, double x, double y) {
     return verdict;
 }
 
+Verdict judge(const Oracle& oracle, std::size_t pixel) {
+    const glm::dvec2 center = centerOf(oracle.question(), pixel);
+    const Oracle::Checked checked = oracle.checkedAt(center.x, center.y);
+    return checked.certain ? Verdict{checked.answer} : judgeExactly(oracle, center.x, center.y);
+}
+
 } // namespace edgeshade::lab

@@ -15,4 +15,8 @@ struct Verdict {
 /// disagree; takes about a millisecond each.
 Verdict judgeExactly(const Oracle& oracle, double x, double y);
 
+/// The answer at a pixel's centre, exact unless rounding can't have changed it. `pixel`: rows top
+/// to bottom.
+Verdict judge(const Oracle& oracle, std::size_t pixel);
+
 } // namespace edgeshade::lab

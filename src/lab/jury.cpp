@@ -1,9 +1,8 @@
 #include "src/lab/jury.hpp"
 
+#include "src/lab/compared_frame.hpp"
 #include "src/lab/lit_textures.hpp"
 #include "src/lab/texture_alpha.hpp"
-#include "src/shadow/view/kept_layers.hpp"
-#include "src/shadow/view/light_budget.hpp"
 
 namespace edgeshade::lab {
 namespace {
@@ -11,16 +10,6 @@ namespace {
 /// Number of lights from which the oracle's picture is drawn in one go, instead of once for each
 /// set of lights that some pixels have.
 constexpr std::size_t manyLights = 9;
-
-/// `mostShadowed`: see chooseLights().
-FrameView frameOf(const LoadedScene& loaded, const FrameRequest& request,
-                  std::optional<std::size_t> mostShadowed = {}) {
-    FrameView frame = makeFrameView(loaded.scene, request, worldBounds(loaded.scene));
-    chooseLights(frame, mostShadowed);
-    KeptLayers().fill(loaded.layerCasters(), frame.lights, frame.visible);
-    frame.drawBlended = false;
-    return frame;
-}
 
 } // namespace
 
@@ -36,12 +25,12 @@ void Jury::see(const LabView& view, int width, int height) {
     request.depth.near = task_.near;
     request.lights = task_.lights.empty() ? std::vector{view.light} : task_.lights;
     judged_.request = request;
-    judged_.frame = frameOf(loaded_, request);
+    judged_.frame = comparedFrame(loaded_, request);
     judged_.oracle = std::make_unique<Oracle>(
         Question{&loaded_.scene, loaded_.settings.castMasked, judged_.frame.frustum,
                  judged_.frame.near(), request.lights, width, height, loaded_.cutoutsCast},
         alpha_);
-    judged_.answers = SettledAnswers(traceAll(*judged_.oracle, {}));
+    judged_.answers = SettledAnswers(traceAll(*judged_.oracle));
     pictures_ = {};
     unshadowed_.clear();
     frames_.clear();
@@ -88,7 +77,7 @@ FrameView Jury::frameWith(const LoadedScene& drawn, std::optional<int> depthSlic
     const auto key = std::pair(&drawn, mostShadowed);
     auto found = frames_.find(key);
     if (found == frames_.end())
-        found = frames_.emplace(key, frameOf(drawn, judged_.request, mostShadowed)).first;
+        found = frames_.emplace(key, comparedFrame(drawn, judged_.request, mostShadowed)).first;
     FrameView frame = found->second;
     frame.divide(depthSlices);
     return frame;

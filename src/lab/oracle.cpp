@@ -1,14 +1,14 @@
 #include "src/lab/oracle.hpp"
 
 #include "preprocess/base/error.hpp"
+#include "preprocess/base/vectors.hpp"
+#include "src/lab/all_pixels.hpp"
 #include "src/shadow/lights/light_contact.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <embree3/rtcore.h>
 #include <limits>
-#include <thread>
 
 namespace edgeshade::lab {
 namespace {
@@ -156,8 +156,7 @@ struct Oracle::Tree {
                   const std::function<bool(std::uint32_t)>& visit) const {
         const double reach = glm::length(direction);
         if (reach == 0.0) return;
-        const double back =
-            1e-6 * std::max({std::abs(origin.x), std::abs(origin.y), std::abs(origin.z)});
+        const double back = 1e-6 * largestComponent(origin);
         const glm::dvec3 unit = direction / reach;
         const glm::vec3 start(origin - back * unit);
         const glm::vec3 toward(unit);
@@ -419,24 +418,9 @@ bool Oracle::isOpen(std::span<const std::uint32_t> own, const glm::dvec3& direct
     return !blocked;
 }
 
-std::vector<Answer> traceAll(const Oracle& oracle, const std::function<void(double)>& progress) {
-    const int width = oracle.question().width, height = oracle.question().height;
-    std::vector<Answer> answers(static_cast<std::size_t>(width) * height);
-    std::atomic<int> nextRow{0};
-    const auto work = [&](bool reports) {
-        for (int y = nextRow++; y < height; y = nextRow++) {
-            for (int x = 0; x < width; ++x)
-                answers[static_cast<std::size_t>(y) * width + x] = oracle.at(x + 0.5, y + 0.5);
-            if (reports && progress) progress(static_cast<double>(y + 1) / height);
-        }
-    };
-    std::vector<std::thread> others;
-    for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i)
-        others.emplace_back(work, false);
-    work(true);
-    for (std::thread& other : others)
-        other.join();
-    return answers;
+std::vector<Answer> traceAll(const Oracle& oracle) {
+    return atAllPixels(oracle.question().width, oracle.question().height,
+                       [&](double x, double y) { return oracle.at(x, y); });
 }
 
 } // namespace edgeshade::lab

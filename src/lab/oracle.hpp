@@ -35,6 +35,12 @@ struct Question {
     bool cutoutsCast = false; ///< MASK surfaces cast where their alpha leaves them
 };
 
+/// The picture point at a pixel's centre, x and y in pixels. `pixel`: rows top to bottom.
+inline glm::dvec2 centerOf(const Question& question, std::size_t pixel) {
+    const auto width = static_cast<std::size_t>(question.width);
+    return {static_cast<double>(pixel % width) + 0.5, static_cast<double>(pixel / width) + 0.5};
+}
+
 /// A line of sight, in world axes with the camera's position as origin.
 struct PixelRay {
     glm::dvec3 origin;    ///< at depth 0: in perspective the camera itself
@@ -155,8 +161,7 @@ class Oracle {
     std::vector<std::vector<std::uint32_t>> touched_;   ///< by light, ascending
 };
 
-/// Answers at all pixel centres, rows top to bottom, on all cores. `progress` receives the share
-/// done, from one thread.
-std::vector<Answer> traceAll(const Oracle& oracle, const std::function<void(double)>& progress);
+/// Answers at all pixel centres, rows top to bottom, on all cores.
+std::vector<Answer> traceAll(const Oracle& oracle);
 
 } // namespace edgeshade::lab

@@ -1,8 +1,8 @@
 #include "src/lab/pixel_surfaces.hpp"
 
+#include "src/lab/all_pixels.hpp"
+
 #include <algorithm>
-#include <atomic>
-#include <thread>
 
 namespace edgeshade::lab {
 namespace {
@@ -39,25 +39,9 @@ double footprintArea(const Question& question, const EyeTriangle& triangle, cons
 
 std::vector<PixelSurface> pixelSurfaces(const Oracle& oracle,
                                         const std::function<void(double)>& progress) {
-    const int width = oracle.question().width, height = oracle.question().height;
-    std::vector<PixelSurface> surfaces(static_cast<std::size_t>(width) *
-                                       static_cast<std::size_t>(height));
-    std::atomic<int> nextRow{0};
-    const auto work = [&](bool reports) {
-        for (int y = nextRow++; y < height; y = nextRow++) {
-            for (int x = 0; x < width; ++x)
-                surfaces[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                         static_cast<std::size_t>(x)] = surfaceAt(oracle, x + 0.5, y + 0.5);
-            if (reports && progress) progress(static_cast<double>(y + 1) / height);
-        }
-    };
-    std::vector<std::thread> others;
-    for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i)
-        others.emplace_back(work, false);
-    work(true);
-    for (std::thread& other : others)
-        other.join();
-    return surfaces;
+    return atAllPixels(
+        oracle.question().width, oracle.question().height,
+        [&](double x, double y) { return surfaceAt(oracle, x, y); }, progress);
 }
 
 } // namespace edgeshade::lab

@@ -1,6 +1,6 @@
 #include "src/lab/point_counts.hpp"
 
-#include "src/lab/all_cores.hpp"
+#include "preprocess/base/parallel.hpp"
 #include "src/lab/exact_judge.hpp"
 #include "src/lab/tie.hpp"
 
@@ -44,7 +44,7 @@ PointOracle::PointOracle(const Question& question, const AlphaLookup& alpha)
                            question.lights.begin() + static_cast<std::ptrdiff_t>(end));
         Part& part = parts_.emplace_back();
         part.oracle = std::make_unique<Oracle>(some, alpha);
-        part.answers = traceAll(*part.oracle, {});
+        part.answers = traceAll(*part.oracle);
     }
     judged_.assign(parts_.front().answers.size(), false);
 }
@@ -57,24 +57,16 @@ std::size_t PointOracle::countAt(std::size_t pixel, std::size_t lights) const {
 }
 
 void PointOracle::judgeAgain(std::size_t pixel) {
-    const double x = static_cast<double>(pixel % static_cast<std::size_t>(width_)) + 0.5;
-    const double y = static_cast<double>(pixel / static_cast<std::size_t>(width_)) + 0.5;
-    for (Part& part : parts_) {
-        const Oracle::Checked checked = part.oracle->checkedAt(x, y);
-        part.answers[pixel] =
-            checked.certain ? checked.answer : judgeExactly(*part.oracle, x, y).answer;
-    }
+    for (Part& part : parts_)
+        part.answers[pixel] = judge(*part.oracle, pixel).answer;
 }
 
 bool PointOracle::isTied(std::size_t pixel, std::size_t lights) const {
-    const auto width = static_cast<std::size_t>(width_);
     for (std::size_t p = 0; p < parts_.size() && countingOf(p, lights) > 0; ++p) {
-        const auto x = static_cast<double>(pixel % width) + 0.5;
-        const auto y = static_cast<double>(pixel / width) + 0.5;
-        if (isTie(*parts_[p].oracle, static_cast<int>(pixel % width),
-                  static_cast<int>(pixel / width), judgeExactly(*parts_[p].oracle, x, y),
-                  coarsestGrid))
-            return true;
+        const Oracle& oracle = *parts_[p].oracle;
+        const glm::dvec2 center = centerOf(oracle.question(), pixel);
+        const Verdict exact = judgeExactly(oracle, center.x, center.y);
+        if (isTie(oracle, pixel, exact, coarsestGrid)) return true;
     }
     return false;
 }
@@ -91,7 +83,7 @@ WrongSums PointOracle::compare(const LitCounts& drawn, std::size_t lights) {
     std::vector<std::size_t> fresh;
     std::copy_if(suspects.begin(), suspects.end(), std::back_inserter(fresh),
                  [&](std::size_t i) { return !judged_[i]; });
-    onAllCores(fresh.size(), [&](std::size_t s) { judgeAgain(fresh[s]); });
+    inParallel(fresh.size(), {}, [&](std::size_t s) { judgeAgain(fresh[s]); });
     for (const std::size_t i : fresh)
         judged_[i] = true;
     std::erase_if(suspects, [&](std::size_t i) { return !differs(i); });
@@ -121,7 +113,7 @@ WrongSums PointOracle::compare(const LitCounts& drawn, std::size_t lights) {
     }
     sums.beyond1px = beyond.size();
     std::vector<char> tied(beyond.size());
-    onAllCores(beyond.size(), [&](std::size_t b) { tied[b] = isTied(beyond[b], lights); });
+    inParallel(beyond.size(), {}, [&](std::size_t b) { tied[b] = isTied(beyond[b], lights); });
     sums.beyond1pxNotTied = static_cast<std::size_t>(std::count(tied.begin(), tied.end(), 0));
     return sums;
 }

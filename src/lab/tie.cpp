@@ -133,9 +133,9 @@ bool hangsOnFilter(const Oracle& oracle, const std::optional<Oracle::Hit>& visib
 
 } // namespace
 
-bool isTie(const Oracle& oracle, int x, int y, const Verdict& verdict, double grid) {
+bool isTie(const Oracle& oracle, std::size_t pixel, const Verdict& verdict, double grid) {
     if (verdict.coincident) return true;
-    const glm::dvec2 center(x + 0.5, y + 0.5);
+    const glm::dvec2 center = centerOf(oracle.question(), pixel);
     const std::optional<Oracle::Hit> visible = visibleAt(oracle, center);
     for (const glm::dvec2& point : movedPoints(center, grid)) {
         if (!(oracle.at(point.x, point.y) == verdict.answer)) return true;

@@ -7,8 +7,9 @@ namespace edgeshade::lab {
 /// The coarsest grid, in pixels, on which GLES 2 lets a device place vertices (SUBPIXEL_BITS >= 4).
 inline constexpr double coarsestGrid = 1.0 / 16.0;
 
-/// Whether the exact answer at a pixel's centre depends on less than `grid` pixels. `grid` is that
-/// of the device's vertices, or coarsestGrid for any device. It does if:
+/// Whether the exact answer at a pixel's centre depends on less than `grid` pixels. `pixel`: rows
+/// top to bottom. `grid` is that of the device's vertices, or coarsestGrid for any device. It does
+/// if:
 /// * surfaces coincide there;
 /// * the answer changes as the ray moves by `grid` in one of eight directions;
 /// * a silhouette passes within `grid`: the eye's, where the visible surface ends and is not joined
@@ -19,6 +20,6 @@ inline constexpr double coarsestGrid = 1.0 / 16.0;
 ///   over `grid`, or as its corners move that far (its facing to the light changes);
 /// * the texture filter may decide whether there is a cutout (AlphaLookup::range), whatever the
 ///   grid.
-bool isTie(const Oracle& oracle, int x, int y, const Verdict& verdict, double grid);
+bool isTie(const Oracle& oracle, std::size_t pixel, const Verdict& verdict, double grid);
 
 } // namespace edgeshade::lab

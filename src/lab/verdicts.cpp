@@ -1,6 +1,6 @@
 #include "src/lab/verdicts.hpp"
 
-#include "src/lab/all_cores.hpp"
+#include "preprocess/base/parallel.hpp"
 #include "src/lab/tie.hpp"
 
 #include <algorithm>
@@ -29,16 +29,9 @@ bool isNearBoundary(const std::vector<Answer>& answers, int width, int height, s
     return false;
 }
 
-/// Judges pixels again, exactly unless rounding can't have changed the answer.
 std::vector<Verdict> judgedAgain(const Oracle& oracle, const std::vector<std::size_t>& pixels) {
-    const int width = oracle.question().width;
     std::vector<Verdict> verdicts(pixels.size());
-    onAllCores(pixels.size(), [&](std::size_t s) {
-        const double x = static_cast<double>(pixels[s] % width) + 0.5;
-        const double y = static_cast<double>(pixels[s] / width) + 0.5;
-        const Oracle::Checked checked = oracle.checkedAt(x, y);
-        verdicts[s] = checked.certain ? Verdict{checked.answer} : judgeExactly(oracle, x, y);
-    });
+    inParallel(pixels.size(), {}, [&](std::size_t s) { verdicts[s] = judge(oracle, pixels[s]); });
     return verdicts;
 }
 
@@ -80,24 +73,28 @@ class View {
 
 } // namespace
 
+const std::array<std::pair<const char*, std::size_t WrongCounts::*>, 10> WrongCounts::keys = {{
+    {"pixels", &WrongCounts::pixels},
+    {"visible_pixels", &WrongCounts::visiblePixels},
+    {"wrong_mask_pixels", &WrongCounts::wrongMaskPixels},
+    {"wrong_mask_beyond_1px", &WrongCounts::wrongMaskBeyond1px},
+    {"wrong_image_pixels", &WrongCounts::wrongImagePixels},
+    {"wrong_image_beyond_1px", &WrongCounts::wrongImageBeyond1px},
+    {"tie_pixels", &WrongCounts::tiePixels},
+    {"wrong_image_beyond_1px_not_tied", &WrongCounts::beyond1pxNotTied},
+    {"device_tie_pixels", &WrongCounts::deviceTiePixels},
+    {"wrong_image_beyond_1px_not_device_tied", &WrongCounts::beyond1pxNotDeviceTied},
+}};
+
 WrongCounts& WrongCounts::operator+=(const WrongCounts& other) {
-    pixels += other.pixels;
-    visiblePixels += other.visiblePixels;
-    wrongMaskPixels += other.wrongMaskPixels;
-    wrongMaskBeyond1px += other.wrongMaskBeyond1px;
-    wrongImagePixels += other.wrongImagePixels;
-    wrongImageBeyond1px += other.wrongImageBeyond1px;
-    tiePixels += other.tiePixels;
-    beyond1pxNotTied += other.beyond1pxNotTied;
-    deviceTiePixels += other.deviceTiePixels;
-    beyond1pxNotDeviceTied += other.beyond1pxNotDeviceTied;
+    for (const auto& [key, count] : keys)
+        this->*count += other.*count;
     return *this;
 }
 
 Comparison compareWithOracle(const Oracle& oracle, std::vector<Answer>& answers,
                              const Pictures& pictures, int subpixelBits) {
     View view(oracle, answers, pictures);
-    const int width = oracle.question().width;
     const auto wrongPixels = [&] {
         std::vector<std::size_t> wrong;
         for (std::size_t i = 0; i < answers.size(); ++i)
@@ -116,13 +113,10 @@ Comparison compareWithOracle(const Oracle& oracle, std::vector<Answer>& answers,
         bool coarsest = false, device = false; ///< whether it is a tie on that grid
     };
     std::vector<Tie> ties(suspects.size());
-    onAllCores(suspects.size(), [&](std::size_t s) {
+    inParallel(suspects.size(), {}, [&](std::size_t s) {
         const std::size_t i = suspects[s];
         if (!view.wrongInMask(i) && !view.wrongInImage(i)) return;
-        const auto tiedOn = [&](double grid) {
-            return isTie(oracle, static_cast<int>(i % width), static_cast<int>(i / width),
-                         verdicts[s], grid);
-        };
+        const auto tiedOn = [&](double grid) { return isTie(oracle, i, verdicts[s], grid); };
         ties[s] = {tiedOn(coarsestGrid), tiedOn(std::ldexp(1.0, -subpixelBits))};
     });
 

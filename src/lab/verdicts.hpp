@@ -4,8 +4,10 @@
 #include "src/lab/oracle_picture.hpp"
 #include "src/lab/pictures.hpp"
 
+#include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace edgeshade::lab {
@@ -23,6 +25,9 @@ struct WrongCounts {
     // The same with ties on the device's own grid instead of the coarsest one:
     std::size_t deviceTiePixels = 0;
     std::size_t beyond1pxNotDeviceTied = 0;
+
+    /// All counts, by their keys.
+    static const std::array<std::pair<const char*, std::size_t WrongCounts::*>, 10> keys;
 
     WrongCounts& operator+=(const WrongCounts& other);
 };

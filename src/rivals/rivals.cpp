@@ -14,8 +14,8 @@ namespace {
 class AllRivals : public Rivals {
   public:
     const RecordSource* records(VolumeLayout layout) const override {
-        if (layout == VolumeLayout::oppositeVertices) return &oppositeVertices_;
-        return layout == VolumeLayout::triangles ? &triangles_ : nullptr;
+        if (layout == VolumeLayout::oppositeVertices) return oppositeVertices_.get();
+        return layout == VolumeLayout::triangles ? triangles_.get() : nullptr;
     }
 
     std::unique_ptr<VolumeRenderer>
@@ -43,8 +43,8 @@ class AllRivals : public Rivals {
     }
 
   private:
-    OppositeVertexSource oppositeVertices_;
-    TriangleSource triangles_;
+    std::unique_ptr<RecordSource> oppositeVertices_ = oppositeVertexSource();
+    std::unique_ptr<RecordSource> triangles_ = triangleSource();
 };
 
 } // namespace

@@ -10,9 +10,7 @@ GpuEnvironment::GpuEnvironment(const Environment& environment)
                              {GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE, GL_LINEAR, GL_LINEAR})) {}
 
 void GpuEnvironment::bind(const gl::Program& program, int unit) const {
-    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    glBindTexture(GL_TEXTURE_2D, atlas_.name());
-    program.setSampler("u_environment", unit);
+    program.setTexture("u_environment", unit, atlas_.name());
     program.set("u_environmentRoot", largestRoot_);
     program.set("u_environmentSh[0]", diffuse_);
 }

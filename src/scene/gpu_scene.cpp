@@ -18,22 +18,18 @@ std::optional<HoleSource> holeSource(const LoadedScene& loaded, const Batch& bat
 }
 
 void addPlanePairs(GpuScene& gpu, const LoadedScene& loaded, SidesLayout layout) {
-    const std::vector<std::size_t> first = firstOfGeometry(loaded.scene.batches);
-    for (std::size_t i = 0; i < gpu.batches.size(); ++i) {
-        auto& planePairs = gpu.batches[i].volumes.planePairs;
-        if (first[i] != i) {
-            planePairs = gpu.batches[first[i]].volumes.planePairs;
-            continue;
-        }
+    const auto made = byGeometry(loaded.scene.batches, [&](std::size_t i) {
         const Batch& batch = loaded.scene.batches[i];
         const auto& shadow = loaded.planePairs[i];
         const auto source = holeSource(loaded, batch);
-        planePairs = std::make_shared<PlanePairBuffers>(
+        return std::make_shared<PlanePairBuffers>(
             shadow,
             source ? alphaCorners(batch, source->casters, source->mesh, *shadow)
                    : std::vector<glm::vec4>(),
             layout);
-    }
+    });
+    for (std::size_t i = 0; i < gpu.batches.size(); ++i)
+        gpu.batches[i].volumes.planePairs = made[i];
 }
 
 /// Sets GpuBatch::geometry.

@@ -4,7 +4,6 @@
 #include "src/shadow/layers/cut_casters.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <set>
 
@@ -18,14 +17,9 @@ struct CasterRange {
 };
 
 std::vector<CasterRange> casterRangesOf(const Scene& scene, bool castMasked) {
-    const std::vector<std::size_t> first = firstOfGeometry(scene.batches);
     std::vector<CasterRange> ranges;
     std::size_t end = 0;
-    for (std::size_t i = 0; i < first.size(); ++i) {
-        const std::size_t count =
-            first[i] != i
-                ? ranges[first[i]].count
-                : castersOf(scene.batches[i], scene.materials, castMasked).indices.size() / 3;
+    for (const std::size_t count : casterCounts(scene, castMasked)) {
         ranges.push_back({end, count});
         end += count;
     }

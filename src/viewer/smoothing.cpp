@@ -19,8 +19,7 @@ void Smoothing::see(std::size_t picture, std::size_t of, const glm::ivec2& size)
 }
 
 void Smoothing::begin() {
-    GLint caller = 0;
-    glGetIntegerv(GL_FRAMEBUFFER_BINDING, &caller);
+    const gl::Name caller = gl::boundFramebuffer();
     if (done_ == 0 && sum_.size() != size_) {
         drawn_ = gl::ColorTarget(size_.x, size_.y);
         depthStencil_.emplace(size_.x, size_.y, capabilities_);
@@ -29,8 +28,7 @@ void Smoothing::begin() {
             depthStencil_.reset();
     }
     if (done_ == 0) sum_.begin(size_.x, size_.y);
-    glBindFramebuffer(GL_FRAMEBUFFER,
-                      depthStencil_ ? drawn_.framebuffer.name() : static_cast<gl::Name>(caller));
+    glBindFramebuffer(GL_FRAMEBUFFER, depthStencil_ ? drawn_.framebuffer.name() : caller);
 }
 
 bool Smoothing::end() {
@@ -47,9 +45,7 @@ bool Smoothing::end() {
 }
 
 void Smoothing::show() const {
-    GLint framebuffer = 0;
-    glGetIntegerv(GL_FRAMEBUFFER_BINDING, &framebuffer);
-    sum_.show(static_cast<gl::Name>(framebuffer), static_cast<std::uint32_t>(255 * shown_));
+    sum_.show(gl::boundFramebuffer(), static_cast<std::uint32_t>(255 * shown_));
 }
 
 std::size_t Smoothing::bytes() const {

@@ -1,5 +1,7 @@
 #include "src/viewer/stage_watch.hpp"
 
+#include "src/gl/objects.hpp"
+
 #include <GLES2/gl2.h>
 
 namespace edgeshade::viewer {
@@ -7,15 +9,11 @@ namespace edgeshade::viewer {
 void waitForPicture() {
     // A framebuffer object with samples can't be read back. None is used in browsers, the only
     // place where glFinish() doesn't wait.
-    GLint framebuffer = 0, sampled = 0;
-    glGetIntegerv(GL_FRAMEBUFFER_BINDING, &framebuffer);
-    glGetIntegerv(GL_SAMPLE_BUFFERS, &sampled);
-    if (framebuffer != 0 && sampled != 0) return glFinish();
-    GLint format = GL_RGBA, type = GL_UNSIGNED_BYTE;
-    glGetIntegerv(GL_IMPLEMENTATION_COLOR_READ_FORMAT, &format);
-    glGetIntegerv(GL_IMPLEMENTATION_COLOR_READ_TYPE, &type);
+    if (gl::boundFramebuffer() != 0 && gl::integerOf(GL_SAMPLE_BUFFERS) != 0) return glFinish();
+    const auto format = static_cast<GLenum>(gl::integerOf(GL_IMPLEMENTATION_COLOR_READ_FORMAT));
+    const auto type = static_cast<GLenum>(gl::integerOf(GL_IMPLEMENTATION_COLOR_READ_TYPE));
     float pixel[4]; // large enough for every format
-    glReadPixels(0, 0, 1, 1, static_cast<GLenum>(format), static_cast<GLenum>(type), pixel);
+    glReadPixels(0, 0, 1, 1, format, type, pixel);
 }
 
 void StageWatch::enter(FrameStage stage) {

@@ -59,14 +59,11 @@ SunHoursCount::Drawing::Drawing() : picture(shaders::hours_frag) {
 
 void SunHoursCount::draw(const glm::vec3& background) {
     if (!drawing_) drawing_.emplace();
-    GLint framebuffer = 0;
-    glGetIntegerv(GL_FRAMEBUFFER_BINDING, &framebuffer);
+    const gl::Name framebuffer = gl::boundFramebuffer();
     const gl::Program& program = drawing_->picture.use();
     program.set("u_background", background);
-    program.setSampler("u_colors", 2);
-    glActiveTexture(GL_TEXTURE2);
-    glBindTexture(GL_TEXTURE_2D, drawing_->colors.name());
-    counter_.sum().draw(drawing_->picture, static_cast<gl::Name>(framebuffer),
+    program.setTexture("u_colors", 2, drawing_->colors.name());
+    counter_.sum().draw(drawing_->picture, framebuffer,
                         static_cast<std::uint32_t>(positions_.size()));
     glActiveTexture(GL_TEXTURE2);
     glBindTexture(GL_TEXTURE_2D, 0);

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Processor time for a frame before anything is drawn, on every model in ../shared/scenes: a
-table of docs/measured/gpu.md.
+table of docs/measured/processor.md.
 
     tests/bench/plan_times.py           measures, then the table
     tests/bench/plan_times.py --table   the table from the stored results
@@ -44,7 +44,7 @@ def main():
     results = results_of("plan_times", lambda: told_of_models("release/tests/bench/plan_times",
                                                               "PLAN_TIMES", NAMES))
     of = results["machine"]
-    replace_between("docs/measured/gpu.md", "planning",
+    replace_between("docs/measured/processor.md", "planning",
                     f"{of['cores']} cores of {of['processor']}, {of['date']}; milliseconds of the "
                     "wall clock, then of both cores together.\n\n"
                     + table(results["scenes"]))

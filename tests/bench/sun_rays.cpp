@@ -8,11 +8,11 @@
 // flagged as coherent, on all cores; the rays' origins are found beforehand. Its answers are in
 // floats, unlike the oracle's.
 #include "src/gl/headless_context.hpp"
-#include "src/lab/all_cores.hpp"
 #include "src/lab/pixel_surfaces.hpp"
 #include "src/lab/texture_alpha.hpp"
 #include "src/render/accumulation/direction_counts.hpp"
 
+#include "preprocess/base/parallel.hpp"
 #include "preprocess/base/stopwatch.hpp"
 
 #include <embree3/rtcore.h>
@@ -139,7 +139,7 @@ std::size_t litOf(const Tree& tree, std::span<const Place> places,
     std::atomic<std::size_t> lit = 0;
     constexpr std::size_t placesAtOnce = packet * packetsAtOnce;
     const std::size_t parts = (places.size() + placesAtOnce - 1) / placesAtOnce;
-    lab::onAllCores(parts * directions.size(), [&](std::size_t i) {
+    inParallel(parts * directions.size(), {}, [&](std::size_t i) {
         const glm::vec3 direction(directions[i / parts]);
         const std::size_t first = i % parts * placesAtOnce;
         const std::size_t end = std::min(first + placesAtOnce, places.size());

@@ -3,6 +3,7 @@
 #include "src/lab/point_counts.hpp"
 #include "src/render/accumulation/direction_counts.hpp"
 #include "src/render/frame/prepare_scene.hpp"
+#include "tests/support/loaded_scene.hpp"
 #include "tests/support/scene_builder.hpp"
 
 #include <gtest/gtest.h>
@@ -38,13 +39,6 @@ LitCounts drawn(const LoadedScene& loaded, const FrameRequest& request,
     return counts;
 }
 
-LoadedScene loadedYard() {
-    LoadedScene loaded;
-    loaded.scene = test::yard().scene();
-    loaded.planePairs = buildPlanePairs(loaded.scene, false);
-    return loaded;
-}
-
 FrameRequest lookingAt(const LoadedScene& loaded) {
     FrameRequest request;
     request.frustum = frustumOf(framingCamera(worldBounds(loaded.scene), 45.0, 1.5), 1.5);
@@ -56,7 +50,7 @@ FrameRequest lookingAt(const LoadedScene& loaded) {
 } // namespace
 
 TEST(DirectionCounts, AreThoseOfRays) {
-    const LoadedScene loaded = loadedYard();
+    const LoadedScene loaded = test::loadedOf(test::yard().scene());
     FrameRequest request = lookingAt(loaded);
     const std::vector<glm::dvec3> directions = arc(70);
     const LitCounts counts = drawn(loaded, request, directions);
@@ -79,7 +73,7 @@ TEST(DirectionCounts, AreThoseOfRays) {
 }
 
 TEST(DirectionCounts, OfNoDirectionsShowSurfacesInTheDark) {
-    const LoadedScene loaded = loadedYard();
+    const LoadedScene loaded = test::loadedOf(test::yard().scene());
     const FrameRequest request = lookingAt(loaded);
     const LitCounts none = drawn(loaded, request, {}), some = drawn(loaded, request, arc(3));
     EXPECT_EQ(none.lights, 0u);

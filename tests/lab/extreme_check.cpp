@@ -51,7 +51,7 @@ ExtremeOutcome check(const Extreme& extreme) {
                               standingBack(extreme.seen(), worldBounds(scene.scene)), near,
                               extreme.lights, extreme.width, extreme.height},
                              lab::textureAlpha(scene));
-    auto answers = lab::traceAll(oracle, {});
+    auto answers = lab::traceAll(oracle);
     for (std::size_t i = 0; i < pictures.size(); ++i)
         outcome.ways[i].counts = lab::compareWithOracle(oracle, answers, pictures[i], 8).counts;
     return outcome;

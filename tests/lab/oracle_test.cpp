@@ -118,7 +118,7 @@ TEST(Oracle, AgreesWithBruteForceAndWithItsExactJudge) {
     question.width = 120;
     question.height = 90;
     const Oracle oracle(question, solid);
-    const auto answers = lab::traceAll(oracle, {});
+    const auto answers = lab::traceAll(oracle);
     const auto expected = test::castMask(scene, question.frustum, question.lights[0], 120, 90, 0.0);
     for (std::size_t i = 0; i < answers.size(); ++i) {
         const Answer wanted{expected[i] != test::Answer::nothing,

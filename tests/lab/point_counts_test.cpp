@@ -4,7 +4,9 @@
 #include "src/render/accumulation/extended_lights.hpp"
 #include "src/render/frame/light_methods.hpp"
 #include "src/render/frame/prepare_scene.hpp"
+#include "tests/support/extended_lights.hpp"
 #include "tests/support/headless.hpp"
+#include "tests/support/loaded_scene.hpp"
 #include "tests/support/scene_builder.hpp"
 
 #include <gtest/gtest.h>
@@ -12,9 +14,10 @@
 namespace edgeshade {
 namespace {
 
-using test::pointLight;
+using test::discTowards;
+using test::panelAt;
 using test::SceneBuilder;
-using test::sun;
+using test::sphereAt;
 using test::yard;
 
 constexpr int width = 128, height = 96;
@@ -26,24 +29,6 @@ struct Case {
     Light light;
     std::size_t points;
 };
-
-Light lampAt(const glm::dvec3& place, double radius) {
-    Light light = pointLight(place);
-    light.extent = {.shape = LightExtent::Shape::sphere, .radius = radius};
-    return light;
-}
-
-Light panelAt(const glm::dvec3& place, const glm::dvec2& size, const glm::dvec3& direction) {
-    Light light = pointLight(place);
-    light.extent = {.shape = LightExtent::Shape::rectangle, .size = size, .direction = direction};
-    return light;
-}
-
-Light discTowards(const glm::dvec3& towards, double degrees) {
-    Light light = sun(towards);
-    light.extent = {.shape = LightExtent::Shape::disc, .radius = 0.5 * glm::radians(degrees)};
-    return light;
-}
 
 FrameView viewOf(const Case& test) {
     FrameRequest request{.frustum = frustumOf(test.camera, static_cast<double>(width) / height),
@@ -59,9 +44,7 @@ LitCounts drawn(const Case& test, ShadowMethod method) {
     RenderSettings settings;
     settings.shadows = method;
     settings.layout = bestLayout(context.capabilities());
-    LoadedScene loaded;
-    loaded.scene = test.scene;
-    loaded.planePairs = buildPlanePairs(test.scene, false);
+    const LoadedScene loaded = test::loadedOf(test.scene);
     GpuScene gpu = uploadScene(loaded, settings.records(), context.capabilities());
     Renderer renderer(settings, context.capabilities());
     const FrameView view = viewOf(test);
@@ -100,13 +83,13 @@ void expectRight(const Case& test, double mostPercent = 0.05) {
 const Camera corner{{5, 4, 6}, {0, 0.5, 0}, 50.0};
 
 TEST(PointCounts, SphereRectangleAndSun) {
-    expectRight({yard().scene(), corner, lampAt({0.3, 4, 0.7}, 0.5), 40});
+    expectRight({yard().scene(), corner, sphereAt({0.3, 4, 0.7}, 0.5), 40});
     expectRight({yard().scene(), corner, panelAt({0.3, 4, 0.7}, {2, 1}, {0, -1, 0}), 40});
     expectRight({yard().scene(), corner, discTowards({0.5, 1, -0.3}, 6.0), 40});
 }
 
 TEST(PointCounts, ALampThatTouchesTheFloor) {
-    expectRight({yard().scene(), corner, lampAt({0.6, 0.3, 1.4}, 0.3), 40}, 0.2);
+    expectRight({yard().scene(), corner, sphereAt({0.6, 0.3, 1.4}, 0.3), 40}, 0.2);
 }
 
 TEST(PointCounts, ALampHalfBuriedInAWall) {
@@ -116,17 +99,17 @@ TEST(PointCounts, ALampHalfBuriedInAWall) {
                             .quad({-3, 0, -1}, {3, 0, -1}, {3, 3, -1}, {-3, 3, -1})
                             .box({-0.5f, 0, 0.2f}, {0.5f, 1, 1})
                             .scene();
-    expectRight({scene, corner, lampAt({0.2, 1.5, -1}, 0.4), 40}, 0.2);
+    expectRight({scene, corner, sphereAt({0.2, 1.5, -1}, 0.4), 40}, 0.2);
 }
 
 TEST(PointCounts, ALampHalfBuriedInABox) {
     expectRight({SceneBuilder().floor(5).box({-1, 0, -1}, {1, 1, 1}).scene(), corner,
-                 lampAt({0.3, 1, 0.2}, 0.5), 40},
+                 sphereAt({0.3, 1, 0.2}, 0.5), 40},
                 0.2);
 }
 
 TEST(PointCounts, AnEyeWithinTheLamp) {
-    expectRight({yard().scene(), corner, lampAt(corner.from, 1.5), 40}, 0.1);
+    expectRight({yard().scene(), corner, sphereAt(corner.from, 1.5), 40}, 0.1);
 }
 
 TEST(PointCounts, APanelThatLiesOnABox) {
@@ -145,19 +128,19 @@ TEST(PointCounts, FarFromTheOriginTinyAndHuge) {
         const glm::dmat4 place = glm::dmat4(glm::dmat3(scale));
         const Camera camera{scale * corner.from, scale * corner.to, 50.0};
         expectRight({yard().placedBy(place).scene(), camera,
-                     lampAt(scale * glm::dvec3(0.3, 4, 0.7), scale * 0.5), 20});
+                     sphereAt(scale * glm::dvec3(0.3, 4, 0.7), scale * 0.5), 20});
     }
     const glm::dvec3 far(4e6, 123.0, -5e6);
     glm::dmat4 place(1.0);
     place[3] = glm::dvec4(far, 1.0);
     expectRight({yard().placedBy(place).scene(),
                  {corner.from + far, corner.to + far, 50.0},
-                 lampAt(far + glm::dvec3(0.3, 4, 0.7), 0.5),
+                 sphereAt(far + glm::dvec3(0.3, 4, 0.7), 0.5),
                  20});
 }
 
 TEST(PointCounts, FewerPointsAreComparedWithTheFirstOnes) {
-    const Case many{yard().scene(), corner, lampAt({0.3, 4, 0.7}, 0.5), 40};
+    const Case many{yard().scene(), corner, sphereAt({0.3, 4, 0.7}, 0.5), 40};
     Case few = many;
     few.points = 9;
     lab::PointOracle oracle = oracleOf(many);
@@ -166,7 +149,7 @@ TEST(PointCounts, FewerPointsAreComparedWithTheFirstOnes) {
 }
 
 TEST(PointCounts, AFaultIsSeen) {
-    const Case test{yard().scene(), corner, lampAt({0.3, 4, 0.7}, 0.5), 16};
+    const Case test{yard().scene(), corner, sphereAt({0.3, 4, 0.7}, 0.5), 16};
     lab::PointOracle oracle = oracleOf(test);
     LitCounts counts = drawn(test, ShadowMethod::volumes);
     const lab::WrongSums before = oracle.compare(counts, 16);

@@ -39,7 +39,7 @@ struct Fixture {
 
     lab::WrongCounts counts() {
         const lab::Oracle oracle(question, alpha);
-        auto answers = lab::traceAll(oracle, {});
+        auto answers = lab::traceAll(oracle);
         return lab::compareWithOracle(oracle, answers, pictures, 8).counts;
     }
 };
@@ -126,7 +126,7 @@ Fixture boundaryAside(double pixels) {
                         .scene();
     fixture.question.lights = {test::sun({0, 1, 0})};
     const lab::Oracle oracle(fixture.question, fixture.alpha);
-    const auto answers = lab::traceAll(oracle, {});
+    const auto answers = lab::traceAll(oracle);
     for (std::size_t i = 0; i < pixelCount; ++i)
         for (std::size_t c = 0; c < 3; ++c) {
             fixture.pictures.mask[4 * i + c] = answers[i].lit != 0 ? 255 : 0;

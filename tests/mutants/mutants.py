@@ -457,7 +457,7 @@ MUTANTS = (
      "layer_bound_test", "LayerSearch.*"),
     ("triangles of a nearly flat patch all face as the patch does",
      "src/shadow/layers/caster_facings.cpp",
-     "if (!(std::abs(side) > reachFor(slope, offset))) facings[cap] = 0;",
+     "if (!(std::abs(side) > reachFor(error))) facings[cap] = 0;",
      "if (!(std::abs(side) >= 0.0)) facings[cap] = 0;",
      "layer_bound_test", "LayerSearch.*"),
     ("hidden batches have layers",

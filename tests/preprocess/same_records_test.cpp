@@ -45,6 +45,22 @@ std::vector<Material> threeMaterials() {
     return materials;
 }
 
+/// The costs of records that are made.
+PlanePairCosts costsOf(const PlanePairShadow& shadow) {
+    constexpr std::size_t quadVertices = 4, capPairVertices = 6;
+    PlanePairCosts costs;
+    costs.records = shadow.pairs.size() + shadow.singles.size();
+    costs.flatEdges = shadow.flatEdges;
+    costs.sideBytes =
+        shadow.pairs.size() * sizeof(PairRecord) + shadow.singles.size() * sizeof(SingleRecord);
+    costs.capBytes = shadow.caps.size() * sizeof(CapRecord);
+    costs.capRuns = capPairVertices * shadow.caps.size();
+    for (const ShadowCluster& cluster : shadow.clusters)
+        costs.sideRuns +=
+            quadVertices * ((cluster.closed ? 1 : 2) * cluster.pairs.count + cluster.singles.count);
+    return costs;
+}
+
 } // namespace
 
 TEST(SameRecords, AsThePlainCodeMadeWithAnyNumberOfThreads) {

@@ -5,6 +5,7 @@
 #include "src/render/frame/prepare_scene.hpp"
 #include "src/scene/shadow_facts.hpp"
 #include "tests/support/headless.hpp"
+#include "tests/support/loaded_scene.hpp"
 #include "tests/support/scene_builder.hpp"
 
 #include <algorithm>
@@ -27,8 +28,7 @@ struct Course {
     explicit Course(const Scene& scene, RenderSettings settings = {})
         : context(test::testPicture(width, height)) {
         if (!context.capabilities().instancing) settings.layout = SidesLayout::notInstanced;
-        loaded.scene = scene;
-        loaded.planePairs = buildPlanePairs(scene, false);
+        loaded = test::loadedOf(scene);
         gpu.emplace(uploadScene(loaded, settings.records(), context.capabilities()));
         renderer.emplace(settings, context.capabilities());
     }

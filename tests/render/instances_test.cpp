@@ -3,6 +3,7 @@
 #include "src/gl/headless_context.hpp"
 #include "src/scene/gpu_scene.hpp"
 #include "src/shadow/layers/layer_search.hpp"
+#include "tests/support/loaded_scene.hpp"
 #include "tests/support/mask_case.hpp"
 #include "tests/support/scene_builder.hpp"
 
@@ -85,13 +86,6 @@ void expectAsRepeated(const Scene& scene, const Light& light) {
         EXPECT_LE(wanted.wrongBeyondOnePixel, 10);
         EXPECT_GT(shared.shadow, 500);
     }
-}
-
-LoadedScene loadedOf(const Scene& scene) {
-    LoadedScene loaded;
-    loaded.scene = scene;
-    loaded.planePairs = buildPlanePairs(scene, false);
-    return loaded;
 }
 
 } // namespace

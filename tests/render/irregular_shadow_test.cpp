@@ -4,6 +4,7 @@
 #include "src/render/frame/light_methods.hpp"
 #include "src/render/frame/prepare_scene.hpp"
 #include "tests/support/headless.hpp"
+#include "tests/support/loaded_scene.hpp"
 #include "tests/support/scene_builder.hpp"
 
 #include <GLES2/gl2.h>
@@ -101,7 +102,7 @@ class Drawing {
     Drawing(const Scene& scene, const RenderSettings& settings, int samples = 0)
         : context_(test::testPicture(width, height, samples)),
           renderer_(suited(settings, context_.capabilities()), context_.capabilities()),
-          loaded_(withShadows(scene)),
+          loaded_(test::loadedOf(scene)),
           scene_(uploadScene(loaded_, renderer_.settings().records(), context_.capabilities())) {}
 
     std::vector<std::uint8_t> draw(const Light& light, bool atRest = false) {
@@ -128,12 +129,6 @@ class Drawing {
     static RenderSettings suited(RenderSettings settings, const gl::Capabilities& capabilities) {
         settings.layout = bestLayout(capabilities);
         return settings;
-    }
-    static LoadedScene withShadows(const Scene& scene) {
-        LoadedScene loaded;
-        loaded.scene = scene;
-        loaded.planePairs = buildPlanePairs(scene, false);
-        return loaded;
     }
 
     gl::HeadlessContext context_;

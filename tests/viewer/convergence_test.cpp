@@ -2,6 +2,7 @@
 // picture.
 #include "src/viewer/viewer.hpp"
 #include "tests/support/headless.hpp"
+#include "tests/support/loaded_scene.hpp"
 #include "tests/support/scene_builder.hpp"
 
 #include <chrono>
@@ -22,10 +23,8 @@ class ViewerSoftness : public testing::Test {
   protected:
     ViewerSoftness() {
         viewer.resize(width, height, 1.0);
-        LoadedScene loaded;
-        loaded.scene = test::SceneBuilder().floor(4).box({-1, 0.5f, -1}, {1, 1.5f, 1}).scene();
-        loaded.planePairs = buildPlanePairs(loaded.scene, false);
-        viewer.show(std::move(loaded));
+        viewer.show(test::loadedOf(
+            test::SceneBuilder().floor(4).box({-1, 0.5f, -1}, {1, 1.5f, 1}).scene()));
         viewer.change(Json::parse(R"({"show_lights": false, "ambient": 0.1, "shading": "base",
             "camera": {"from": [4, 6, 6], "to": [0, 0, 0]}, "left": {"shadows": "volumes"}})"));
     }

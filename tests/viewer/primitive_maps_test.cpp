@@ -2,6 +2,7 @@
 #include "src/viewer/light_rest.hpp"
 #include "src/viewer/viewer.hpp"
 #include "tests/support/headless.hpp"
+#include "tests/support/loaded_scene.hpp"
 #include "tests/support/scene_builder.hpp"
 
 #include <chrono>
@@ -15,10 +16,6 @@ using Json = nlohmann::ordered_json;
 using Pixels = std::vector<std::uint8_t>;
 
 constexpr int width = 160, height = 120;
-
-LoadedScene loadedOf(const Scene& scene) {
-    return {{}, scene, {}, buildPlanePairs(scene, false), {}, {}};
-}
 
 /// More silhouette edges than volumes are good for.
 Scene manyBoxes() {
@@ -36,7 +33,7 @@ class ViewerMaps : public testing::Test {
   protected:
     ViewerMaps() {
         viewer.resize(width, height, 1.0);
-        viewer.show(loadedOf(manyBoxes()));
+        viewer.show(test::loadedOf(manyBoxes()));
         viewer.change(Json::parse(R"({"show_lights": false, "lights": [[0.4, 1, 0.3, 0]]})"));
     }
 
@@ -104,7 +101,7 @@ TEST_F(ViewerMaps, PanesAreInShadowOnceTheLightRestsWhereVolumesAreCounted) {
     pane.metallic = 0.0f;
     pane.baseColorFactor.a = 0.8f;
     builder.material(pane).quad({-1, 1, 1}, {1, 1, 1}, {1, 1, -1}, {-1, 1, -1});
-    viewer.show(loadedOf(builder.scene()));
+    viewer.show(test::loadedOf(builder.scene()));
     viewer.change(Json::parse(R"({"show_lights": false, "lights": [[0.1, 1, 0.1, 0]],
         "left": {"shadows": "volumes"},
         "camera": {"from": [0, 2.2, 6], "to": [0, 1, 0], "fov": 40}})"));
@@ -156,12 +153,12 @@ TEST_F(ViewerMaps, AWorkerBuildsThemWhereThereIsOne) {
     settle();
     const Pixels byItself = context.readPixels();
 
-    const auto worker = std::make_shared<TestWorker>(loadedOf(manyBoxes()));
+    const auto worker = std::make_shared<TestWorker>(test::loadedOf(manyBoxes()));
     ViewerSettings settings;
     settings.mapWorker = worker;
     Viewer helped(context.capabilities(), settings);
     helped.resize(width, height, 1.0);
-    helped.show(loadedOf(manyBoxes()));
+    helped.show(test::loadedOf(manyBoxes()));
     const auto move = [&](double x) {
         helped.change({{"show_lights", false}, {"lights", {{x, 1, 0.3, 0}}}});
     };
@@ -188,7 +185,7 @@ TEST_F(ViewerMaps, AWorkerBuildsThemWhereThereIsOne) {
     worker->mayAnswer = false;
     move(0.2);
     wait();
-    helped.show(loadedOf(manyBoxes()));
+    helped.show(test::loadedOf(manyBoxes()));
     EXPECT_EQ(worker->givenUp, 2) << "another scene's is of no use";
 
     move(0.4);
@@ -222,7 +219,7 @@ TEST_F(ViewerMaps, ALostContextTakesItsMapAlong) {
 TEST_F(ViewerMaps, AnotherSceneStopsWhatIsBeingBuilt) {
     viewer.frame(now);
     viewer.frame(now += 1.0); // starts building
-    viewer.show(loadedOf(test::yard().scene()));
+    viewer.show(test::loadedOf(test::yard().scene()));
     settle();
     EXPECT_EQ(method(), "volumes");
 }
@@ -233,7 +230,7 @@ TEST_F(ViewerMaps, AnAnimationThatPlaysLeavesTheMapOfWhatRests) {
     Scene moving = test::SceneBuilder().box({-1, 2, -1}, {1, 2.3f, 1}).scene();
     moving.batches[0].node = 0;
     scene.batches.push_back(moving.batches[0]);
-    viewer.show(loadedOf(scene));
+    viewer.show(test::loadedOf(scene));
     viewer.change(Json::parse(R"({"show_lights": false, "lights": [[0.4, 1, 0.3, 0]]})"));
     viewer.frame(now += 0.01);
     const Pixels counted = context.readPixels();
@@ -243,7 +240,7 @@ TEST_F(ViewerMaps, AnAnimationThatPlaysLeavesTheMapOfWhatRests) {
 }
 
 TEST_F(ViewerMaps, FewSilhouettesAreCounted) {
-    viewer.show(loadedOf(test::yard().scene()));
+    viewer.show(test::loadedOf(test::yard().scene()));
     viewer.frame(now);
     EXPECT_FALSE(viewer.wantsFrame()); // nothing to wait for
     EXPECT_EQ(method(), "volumes");
@@ -264,7 +261,7 @@ TEST_F(ViewerMaps, ListsLongerThanLoopsGoAreNotAsked) {
         const float y = 0.5f + 1e-4f * static_cast<float>(i);
         builder.quad({-0.5f, y, 0.5f}, {0.5f, y, 0.5f}, {0.5f, y, -0.5f}, {-0.5f, y, -0.5f});
     }
-    viewer.show(loadedOf(builder.scene()));
+    viewer.show(test::loadedOf(builder.scene()));
     viewer.change(Json::parse(R"({"left": {"shadows": "primitive-map"}, "light_samples": 4,
         "lights": [{"direction": [0.4, 1, 0.3], "angle": 2}]})"));
     settle();

@@ -4,6 +4,7 @@
 #include "src/render/accumulation/subpixels.hpp"
 #include "src/viewer/viewer.hpp"
 #include "tests/support/headless.hpp"
+#include "tests/support/loaded_scene.hpp"
 #include "tests/support/scene_builder.hpp"
 
 #include <cstdlib>
@@ -17,18 +18,11 @@ using Pixels = std::vector<std::uint8_t>;
 
 constexpr int width = 80, height = 60;
 
-LoadedScene yardScene() {
-    LoadedScene loaded;
-    loaded.scene = test::yard().scene();
-    loaded.planePairs = buildPlanePairs(loaded.scene, false);
-    return loaded;
-}
-
 class ViewerSmoothing : public testing::Test {
   protected:
     ViewerSmoothing() {
         viewer.resize(width, height, 1.0);
-        viewer.show(yardScene());
+        viewer.show(test::loadedOf(test::yard().scene()));
         viewer.change(Json::parse(R"({"show_lights": false, "ground": "off", "shading": "base",
             "lights": [[0.5, 1, 0.4, 0]], "left": {"shadows": "volumes"},
             "camera": {"from": [5, 7, 9], "to": [0, 0, 0], "fov": 50}})"));
@@ -46,7 +40,7 @@ class ViewerSmoothing : public testing::Test {
 
     /// The mean of `count` pictures, each drawn separately with all points of its lights.
     std::vector<double> meanOf(std::size_t count) {
-        const LoadedScene loaded = yardScene();
+        const LoadedScene loaded = test::loadedOf(test::yard().scene());
         const ViewState& state = viewer.state();
         RenderSettings settings;
         settings.shading = state.shading;

@@ -4,6 +4,7 @@
 #include "src/render/accumulation/direction_counts.hpp"
 #include "src/viewer/viewer.hpp"
 #include "tests/support/headless.hpp"
+#include "tests/support/loaded_scene.hpp"
 #include "tests/support/scene_builder.hpp"
 
 #include <gtest/gtest.h>
@@ -16,18 +17,11 @@ using Json = nlohmann::ordered_json;
 
 constexpr int width = 80, height = 60;
 
-LoadedScene yardScene() {
-    LoadedScene loaded;
-    loaded.scene = test::yard().scene();
-    loaded.planePairs = buildPlanePairs(loaded.scene, false);
-    return loaded;
-}
-
 class ViewerHours : public testing::Test {
   protected:
     ViewerHours() {
         viewer.resize(width, height, 1.0);
-        viewer.show(yardScene());
+        viewer.show(test::loadedOf(test::yard().scene()));
         viewer.change(Json::parse(R"({"show_lights": false, "ground": "off",
             "camera": {"from": [5, 7, 9], "to": [0, 0, 0], "fov": 50}, "sun":
             {"place": [48.14, 11.57], "time": "2026-03-21T10:00+01:00", "north": 20}})"));
@@ -55,7 +49,7 @@ class ViewerHours : public testing::Test {
         std::vector<glm::dvec3> directions;
         for (const hours::Position& position : hours::positionsOf(schedule))
             directions.push_back(position.direction);
-        const LoadedScene loaded = yardScene();
+        const LoadedScene loaded = test::loadedOf(test::yard().scene());
         FrameRequest request;
         request.frustum = frustumOf(viewer.state().camera, static_cast<double>(width) / height);
         request.width = width;

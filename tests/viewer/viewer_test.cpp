@@ -10,6 +10,7 @@
 #include "src/viewer/viewer.hpp"
 #include "tests/support/gltf_builder.hpp"
 #include "tests/support/headless.hpp"
+#include "tests/support/loaded_scene.hpp"
 #include "tests/support/moving_scenes.hpp"
 #include "tests/support/scene_builder.hpp"
 
@@ -24,11 +25,6 @@ using Pixels = std::vector<std::uint8_t>;
 constexpr int width = 160;
 constexpr int height = 120;
 
-LoadedScene yardScene() {
-    const Scene scene = test::yard().scene();
-    return {{}, scene, {}, buildPlanePairs(scene, false), {}, {}};
-}
-
 /// Settings that include all rival methods.
 ViewerSettings withRivals() {
     ViewerSettings settings;
@@ -41,7 +37,7 @@ class ViewerTest : public testing::Test {
   protected:
     ViewerTest() {
         viewer.resize(width, height, 1.0);
-        viewer.show(yardScene());
+        viewer.show(test::loadedOf(test::yard().scene()));
         viewer.change({{"show_lights", false}});
         viewer.change(Json::parse(R"({"lights": [[1.5, 6, 2, 1], [-0.3, 1, 0.4, 0]]})"));
     }
@@ -326,7 +322,7 @@ TEST(ViewerAfterALostContext, DrawsTheSameInANewOne) {
     auto context = std::make_unique<gl::HeadlessContext>(test::testPicture(width, height));
     Viewer viewer(context->capabilities(), withRivals());
     viewer.resize(width, height, 1.0);
-    viewer.show(yardScene());
+    viewer.show(test::loadedOf(test::yard().scene()));
     viewer.frame(0.0);
     before = context->readPixels();
     viewer.forgetGpu();
@@ -491,7 +487,7 @@ TEST_F(Deforming, AnotherAnimationCanBeChosen) {
     EXPECT_THROW(viewer.change({{"animation", 3}}), Error);
     EXPECT_THROW(viewer.change({{"animation", -1}}), Error);
     EXPECT_EQ(viewer.state().animation, 0u);
-    viewer.show(yardScene());
+    viewer.show(test::loadedOf(test::yard().scene()));
     EXPECT_TRUE(viewer.animations().empty());
     EXPECT_THROW(viewer.change({{"animation", 1}}), Error);
     show(gltf); // with the same camera

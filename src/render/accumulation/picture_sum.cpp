@@ -9,14 +9,11 @@
 namespace edgeshade {
 namespace {
 
-void bindTo(int unit, gl::Name texture) {
-    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    glBindTexture(GL_TEXTURE_2D, texture);
-}
-
 void unbind(int units) {
-    for (int unit = units - 1; unit >= 0; --unit)
-        bindTo(unit, 0);
+    for (int unit = units - 1; unit >= 0; --unit) {
+        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+        glBindTexture(GL_TEXTURE_2D, 0);
+    }
 }
 
 /// Binds and sets up a framebuffer in which bytes are written unchanged.
@@ -71,14 +68,9 @@ void PictureSum::add(gl::Name picture) {
     const auto draw = [&](const WholePicture& by, const gl::ColorTarget& into) {
         drawPlainlyInto(into.framebuffer.name(), size_);
         const gl::Program& program = by.use();
-        bindTo(0, picture);
-        bindTo(1, sums_.low.texture.name());
-        program.setSampler("u_added", 0);
-        program.setSampler("u_low", 1);
-        if (&by == &programs_->high) {
-            bindTo(2, sums_.high.texture.name());
-            program.setSampler("u_high", 2);
-        }
+        program.setTexture("u_added", 0, picture);
+        program.setTexture("u_low", 1, sums_.low.texture.name());
+        if (&by == &programs_->high) program.setTexture("u_high", 2, sums_.high.texture.name());
         program.set("u_texel", 1.0f / glm::vec2(size_));
         by.draw();
     };
@@ -92,10 +84,8 @@ void PictureSum::add(gl::Name picture) {
 void PictureSum::draw(const WholePicture& by, gl::Name framebuffer, std::uint32_t largest) const {
     drawPlainlyInto(framebuffer, size_);
     const gl::Program& program = by.use();
-    bindTo(0, sums_.low.texture.name());
-    bindTo(1, sums_.high.texture.name());
-    program.setSampler("u_low", 0);
-    program.setSampler("u_high", 1);
+    program.setTexture("u_low", 0, sums_.low.texture.name());
+    program.setTexture("u_high", 1, sums_.high.texture.name());
     program.set("u_texel", 1.0f / glm::vec2(size_));
     program.set("u_scale", 255.0f / static_cast<float>(largest));
     by.draw();

@@ -47,4 +47,12 @@ class AttributeBinding {
     GLuint count_ = 0;
 };
 
+/// Draws triangles by 16-bit indices. Returns vertex runs.
+inline std::size_t drawIndexed(const gl::Buffer& indices, int count) {
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.name());
+    glDrawElements(GL_TRIANGLES, count, GL_UNSIGNED_SHORT, nullptr);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+    return static_cast<std::size_t>(count);
+}
+
 } // namespace edgeshade

@@ -9,7 +9,8 @@ namespace edgeshade {
 
 /// A camera's view of a batch, in the forms that shaders need; doubles are rounded once.
 struct BatchView {
-    ViewPlanes planes; ///< in the batch's space
+    ViewPlanes planes;   ///< in the batch's space
+    glm::dvec3 eye{0.0}; ///< the camera's position in the world
     glm::mat4 clipFromObject{1.0f};
     glm::mat4 eyeOffsetFromObject{1.0f}; ///< world axes, origin at the eye
     glm::mat3 normalFromObject{1.0f};

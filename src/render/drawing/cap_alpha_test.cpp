@@ -1,7 +1,5 @@
 #include "src/render/drawing/cap_alpha_test.hpp"
 
-#include <GLES2/gl2.h>
-
 namespace edgeshade {
 namespace {
 
@@ -9,18 +7,20 @@ constexpr float aboveAnyAlpha = 2.0f;
 
 } // namespace
 
-void setCapAlphaTest(const gl::Program& program, const GpuScene& scene, std::size_t batch,
-                     std::size_t material) {
-    const AlphaLookup alpha = scene.alphaOf(batch, material);
-    // BLEND surfaces are not in the depth buffer, so all of such a surface counts as cut out.
-    const bool blend = scene.materials[material].alphaMode == AlphaMode::blend;
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, alpha.texture);
-    program.setSampler("u_texture", 0);
+void setAlphaLookup(const gl::Program& program, const AlphaLookup& alpha) {
+    program.setTexture("u_texture", 0, alpha.texture);
     program.set("u_alphaChannel", alpha.channel);
     program.set("u_texcoordTransform", alpha.texcoordTransform);
     program.set("u_alphaScale", alpha.factor);
-    program.set("u_alphaCutoff", blend ? aboveAnyAlpha : alpha.cutoff);
+    program.set("u_alphaCutoff", alpha.cutoff);
+}
+
+void setCapAlphaTest(const gl::Program& program, const GpuScene& scene, std::size_t batch,
+                     std::size_t material) {
+    AlphaLookup alpha = scene.alphaOf(batch, material);
+    // BLEND surfaces are not in the depth buffer, so all of such a surface counts as cut out.
+    if (scene.materials[material].alphaMode == AlphaMode::blend) alpha.cutoff = aboveAnyAlpha;
+    setAlphaLookup(program, alpha);
 }
 
 } // namespace edgeshade

@@ -5,6 +5,10 @@
 
 namespace edgeshade {
 
+/// Sets an alpha lookup's uniforms, as far as the program, which is in use, has them, and the
+/// texture of unit 0.
+void setAlphaLookup(const gl::Program& program, const AlphaLookup& alpha);
+
 /// Sets the alpha test that separates cutouts from solid parts of a batch's casters of one
 /// material: the uniforms of caps.frag's ALPHA_TEST variant, which must be in use, and the texture
 /// of unit 0.

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <GLES2/gl2.h>
-#include <optional>
 
 namespace edgeshade {
 namespace {
@@ -44,9 +43,7 @@ void Renderer::drawBlended(const SlicePass& pass) {
         const Material& material = pass.scene.materials[item.chunk->material];
         const bool mirrored = item.batch->mirrored();
         if (!sum_.full) {
-            std::optional<CullScope> frontAlone;
-            if (pass.view.culls && !material.doubleSided)
-                frontAlone.emplace(mirrored ? GL_FRONT : GL_BACK);
+            const CullScope frontAlone(pass.view.culls && !material.doubleSided, mirrored);
             drawAsInFullLight(pass, *item.batch, *item.chunk);
             continue;
         }
@@ -67,8 +64,7 @@ void Renderer::drawBlendedChunk(const SlicePass& pass, const GpuBatch& batch,
                                 const SurfaceChunk& chunk, SurfaceShading shading) {
     shading.farthest = static_cast<float>(pass.slice.far);
     surfaces_.drawChunk(pass.scene, chunk,
-                        surfaceViewOf(pass.scene, batch, pass.view, pass.slice, shading),
-                        pass.view.frustum.position(), shading);
+                        surfaceViewOf(pass.scene, batch, pass.view, pass.slice, shading), shading);
 }
 
 void Renderer::drawAsInFullLight(const SlicePass& pass, const GpuBatch& batch,

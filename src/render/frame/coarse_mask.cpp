@@ -1,9 +1,8 @@
 #include "src/render/frame/coarse_mask.hpp"
 
 #include "preprocess/base/error.hpp"
+#include "preprocess/base/vectors.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <GLES2/gl2.h>
 
 namespace edgeshade {
@@ -88,10 +87,7 @@ CoarseMaskLookup CoarseMask::lookup(const FrameView& view, const DepthSlice& sli
         return lookup;
     }
     // Scale a directional light's direction, so that no double exceeds the range of floats.
-    const double unit =
-        light.position.w != 0.0
-            ? slice.near
-            : std::max({std::abs(inView.x), std::abs(inView.y), std::abs(inView.z)});
+    const double unit = light.position.w != 0.0 ? slice.near : largestComponent(glm::dvec3(inView));
     lookup.light = glm::vec4(glm::dvec3(inView) / unit, inView.w);
     return lookup;
 }

@@ -44,8 +44,7 @@ void Renderer::draw(GpuScene& scene, const FrameView& view, StageClock* clock,
         const gl::FramebufferKeeper keeper;
         coarse_->fit(view.width, view.height);
     }
-    GLint framebuffer = 0;
-    glGetIntegerv(GL_FRAMEBUFFER_BINDING, &framebuffer);
+    const gl::Name framebuffer = gl::boundFramebuffer();
     const FrameStart start{scene, view, clock,
                            [&](const FrameView& of) { drawNearness(scene, of); }};
     techniques_.forEach([&](ShadowTechnique& technique) { technique.beginFrame(start); });
@@ -53,7 +52,7 @@ void Renderer::draw(GpuScene& scene, const FrameView& view, StageClock* clock,
     sum_ = lightSum(scene, view);
     prepareSum(scene, view);
     drawSlices(scene, view, clock);
-    if (sum_.linear) linear_->show(static_cast<gl::Name>(framebuffer));
+    if (sum_.linear) linear_->show(framebuffer);
 }
 
 void Renderer::drawSlices(GpuScene& scene, const FrameView& view, StageClock* clock) {

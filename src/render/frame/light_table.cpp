@@ -71,10 +71,8 @@ LightTableLookup LightTable::upload(const LightLists& lists, const FrameView& vi
     return lookup;
 }
 
-void setLightTable(gl::Program& program, const LightTableLookup& table, int unit) {
-    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    glBindTexture(GL_TEXTURE_2D, table.texture);
-    program.setSampler("u_lightTable", unit);
+void setLightTable(const gl::Program& program, const LightTableLookup& table, int unit) {
+    program.setTexture("u_lightTable", unit, table.texture);
     program.set("u_lightTableSize", table.size);
     program.set("u_lightTiles", table.tiles);
 }

@@ -42,6 +42,6 @@ class LightTable {
 };
 
 /// Binds the table to the texture unit.
-void setLightTable(gl::Program& program, const LightTableLookup& table, int unit);
+void setLightTable(const gl::Program& program, const LightTableLookup& table, int unit);
 
 } // namespace edgeshade

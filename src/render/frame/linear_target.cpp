@@ -43,11 +43,10 @@ bool LinearTarget::isPossible(const gl::Capabilities& capabilities) {
 
 bool LinearTarget::bind(int width, int height) {
     if (refused_) return false;
-    GLint bound = 0;
-    glGetIntegerv(GL_FRAMEBUFFER_BINDING, &bound);
+    const gl::Name bound = gl::boundFramebuffer();
     if (size_ != glm::ivec2(width, height) && !make(width, height)) {
         refused_ = true;
-        glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
+        glBindFramebuffer(GL_FRAMEBUFFER, bound);
         return false;
     }
     glBindFramebuffer(GL_FRAMEBUFFER, sampled_.name() ? sampled_.name() : framebuffer_.name());
@@ -95,10 +94,8 @@ void LinearTarget::show(gl::Name framebuffer) {
     glDisable(GL_BLEND);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     if (!picture_) picture_.emplace(shaders::show_light_frag);
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, light_.name());
     const gl::Program& program = picture_->use();
-    program.setSampler("u_light", 0);
+    program.setTexture("u_light", 0, light_.name());
     program.set("u_size", 1.0f / glm::vec2(size_));
     picture_->draw();
     glBindTexture(GL_TEXTURE_2D, 0);

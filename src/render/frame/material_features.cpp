@@ -1,7 +1,6 @@
 #include "src/render/frame/material_features.hpp"
 
 #include <algorithm>
-#include <GLES2/gl2.h>
 
 namespace edgeshade {
 namespace {
@@ -83,8 +82,8 @@ void addDefines(const MaterialFeatures& features, std::vector<std::string>& defi
     if (features.tangents) defines.push_back("TANGENTS");
 }
 
-void setMaterial(gl::Program& program, const MaterialFeatures& features, const Material& material,
-                 const Textures& textures, int firstUnit) {
+void setMaterial(const gl::Program& program, const MaterialFeatures& features,
+                 const Material& material, const Textures& textures, int firstUnit) {
     program.set("u_baseColor", material.baseColorFactor);
     program.set("u_reflectance", glm::vec4(material.metallic, material.roughness,
                                            material.dielectricReflectance, material.specular));
@@ -98,9 +97,7 @@ void setMaterial(gl::Program& program, const MaterialFeatures& features, const M
     int unit = firstUnit;
     for (const Map& map : maps) {
         if (!features.has(map.slot)) continue;
-        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-        glBindTexture(GL_TEXTURE_2D, textures.of(material.of(map.slot)));
-        program.setSampler(map.sampler, unit++);
+        program.setTexture(map.sampler, unit++, textures.of(material.of(map.slot)));
     }
 }
 

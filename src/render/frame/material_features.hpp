@@ -3,8 +3,8 @@
 #include "src/gl/program.hpp"
 #include "src/scene/gpu_scene.hpp"
 
+#include <compare>
 #include <string>
-#include <tuple>
 
 namespace edgeshade {
 
@@ -19,8 +19,7 @@ struct MaterialFeatures {
     bool tangents = false;                            ///< the vertices have tangents
     bool ambient = false;                             ///< ambient light is shown
 
-    auto key() const { return std::tie(channels, glossy, emissive, clearcoat, tangents, ambient); }
-    bool operator<(const MaterialFeatures& other) const { return key() < other.key(); }
+    std::strong_ordering operator<=>(const MaterialFeatures&) const = default;
 
     bool has(TextureSlot slot) const { return channels[static_cast<std::size_t>(slot)] >= 0; }
     /// Whether any texture uses this set of coordinates; channel 0 is also the base colour's.
@@ -37,7 +36,7 @@ MaterialFeatures featuresOf(const GpuScene& scene, const SurfaceChunk& chunk, bo
 void addDefines(const MaterialFeatures& features, std::vector<std::string>& defines);
 
 /// Sets the variant's uniforms; textures take the units from `firstUnit` on.
-void setMaterial(gl::Program& program, const MaterialFeatures& features, const Material& material,
-                 const Textures& textures, int firstUnit);
+void setMaterial(const gl::Program& program, const MaterialFeatures& features,
+                 const Material& material, const Textures& textures, int firstUnit);
 
 } // namespace edgeshade

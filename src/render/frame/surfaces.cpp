@@ -13,13 +13,11 @@ namespace edgeshade {
 std::size_t Renderer::drawSurfaces(const GpuScene& scene, const FrameView& view,
                                    const DepthSlice& slice, const SurfaceShading& shading) {
     std::size_t runs = 0;
-    const glm::dvec3 eye = view.frustum.position();
     const ViewPlanes planes = viewPlanes(view, slice, glm::dmat4(1.0));
     for (const GpuBatch& batch : scene.batches) {
         if (batch.hidden || (batch.ground && !view.ground) || isOutOfView(batch, planes)) continue;
         const BatchView batchView = surfaceViewOf(scene, batch, view, slice, shading);
-        for (const AlphaMode kind : {AlphaMode::opaque, AlphaMode::mask})
-            runs += surfaces_.draw(scene, batch, batchView, eye, shading, kind);
+        runs += surfaces_.draw(scene, batch, batchView, shading);
     }
     return runs;
 }

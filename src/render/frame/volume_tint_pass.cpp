@@ -59,12 +59,8 @@ void VolumeTintPass::drawSurfaces(const GpuScene& scene, const FrameView& view,
     glClear(GL_DEPTH_BUFFER_BIT);
     SurfaceShading shading;
     shading.farthest = static_cast<float>(slice.far);
-    for (const GpuBatch& batch : scene.batches) {
-        if (batch.hidden) continue;
-        const BatchView seen = batchViewOf(batch, view, slice);
-        for (const AlphaMode kind : {AlphaMode::opaque, AlphaMode::mask})
-            surfaces_.draw(scene, batch, seen, view.frustum.position(), shading, kind);
-    }
+    for (const GpuBatch& batch : scene.batches)
+        if (!batch.hidden) surfaces_.draw(scene, batch, batchViewOf(batch, view, slice), shading);
 }
 
 void VolumeTintPass::tint(const std::vector<VolumeDraw>& draws, const CountPlan& plan,

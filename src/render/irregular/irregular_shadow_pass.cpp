@@ -27,7 +27,7 @@ void IrregularShadowPass::mark(const GpuScene& scene, const FrameView& view,
     glStencilFunc(GL_ALWAYS, 1, 0xFF);
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     const gl::Program& used = picture_.use();
-    used.setSampler("u_marked", 0);
+    used.setTexture("u_marked", 0, texture_.name());
     const glm::vec2 texel = 1.0f / glm::vec2(size_);
     used.set("u_texelFromPixel", glm::vec4(texel, -texel * glm::vec2(seen_.area.x, seen_.area.y)));
     picture_.draw();

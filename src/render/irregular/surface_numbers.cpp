@@ -6,6 +6,7 @@
 #include "src/gl/scissor.hpp"
 #include "src/render/drawing/attributes.hpp"
 #include "src/render/drawing/batch_view.hpp"
+#include "src/render/drawing/cap_alpha_test.hpp"
 #include "src/render/drawing/cull_scope.hpp"
 
 #include <cmath>
@@ -45,9 +46,7 @@ std::vector<std::uint8_t> castersAmong(const GpuScene& scene, const Geometry& ge
 } // namespace
 
 void SurfaceNumbers::fit(int width, int height) {
-    GLint bound = 0;
-    glGetIntegerv(GL_FRAMEBUFFER_BINDING, &bound);
-    const bool flipped = bound == 0 && capabilities_.framebufferFlip;
+    const bool flipped = gl::boundFramebuffer() == 0 && capabilities_.framebufferFlip;
     if (size_ == glm::ivec2(width, height) && flipped == flipped_) return;
     const gl::FramebufferKeeper keeper;
     size_ = glm::ivec2(0); // in case the GL refuses below
@@ -141,34 +140,20 @@ void SurfaceNumbers::drawBatch(const GpuScene& scene, const GpuBatch& batch, con
         used.set("u_clipFromObject", seen.clipFromObject);
         used.set("u_firstNumber", static_cast<float>(first));
         used.set("u_farthest", static_cast<float>(slice.far * sliceOverlap));
-        if (alphaTest) {
-            const AlphaLookup alpha = scene.alphaOf(number, group.material);
-            glActiveTexture(GL_TEXTURE0);
-            glBindTexture(GL_TEXTURE_2D, alpha.texture);
-            used.setSampler("u_texture", 0);
-            used.set("u_alphaChannel", alpha.channel);
-            used.set("u_texcoordTransform", alpha.texcoordTransform);
-            used.set("u_alphaScale", alpha.factor);
-            used.set("u_alphaCutoff", alpha.cutoff);
-        }
-        std::optional<CullScope> frontAlone;
-        if (seen.culls && !material.doubleSided)
-            frontAlone.emplace(seen.mirrored ? GL_FRONT : GL_BACK);
+        if (alphaTest) setAlphaLookup(used, scene.alphaOf(number, group.material));
+        const CullScope frontAlone(seen.culls && !material.doubleSided, seen.mirrored);
         glDrawArrays(GL_TRIANGLES, static_cast<GLint>(group.firstIndex),
                      static_cast<GLsizei>(group.indexCount));
     }
 }
 
 const gl::Program& SurfaceNumbers::program(const Variant& variant) {
-    auto found = programs_.find(variant);
-    if (found != programs_.end()) return found->second;
-    std::vector<std::string> defines;
-    if (variant.alphaTest) defines.push_back("ALPHA_TEST");
-    if (variant.sliced) defines.push_back("SLICED");
-    return programs_
-        .emplace(variant, gl::Program(shaders::surface_number_vert, shaders::surface_number_frag,
-                                      defines, {"a_position", "a_number", "a_texcoord", "a_alpha"}))
-        .first->second;
+    return programs_.get(variant, [&] {
+        return gl::Program(
+            shaders::surface_number_vert, shaders::surface_number_frag,
+            gl::definesOf({{"ALPHA_TEST", variant.alphaTest}, {"SLICED", variant.sliced}}),
+            {"a_position", "a_number", "a_texcoord", "a_alpha"});
+    });
 }
 
 void SurfaceNumbers::read(const PixelRectangle& area, std::vector<std::uint32_t>& numbers) {

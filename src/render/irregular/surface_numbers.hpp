@@ -3,7 +3,7 @@
 #include "src/gl/capabilities.hpp"
 #include "src/gl/color_target.hpp"
 #include "src/gl/depth_stencil.hpp"
-#include "src/gl/program.hpp"
+#include "src/gl/program_variants.hpp"
 #include "src/scene/gpu_scene.hpp"
 #include "src/shadow/irregular/seen_triangles.hpp"
 #include "src/shadow/view/frame_view.hpp"
@@ -59,7 +59,7 @@ class SurfaceNumbers {
     glm::ivec2 size_{0};
     bool flipped_ = false; ///< rows are in the default framebuffer's order
     std::map<const Geometry*, Kept> kept_;
-    std::map<Variant, gl::Program> programs_;
+    gl::ProgramVariants<Variant> programs_;
     std::vector<std::uint8_t> pixels_; ///< as read back
 };
 

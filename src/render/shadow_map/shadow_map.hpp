@@ -38,7 +38,7 @@ class MapUniforms {
   public:
     virtual ~MapUniforms() = default;
     /// `unit`: the first texture unit available.
-    virtual void set(gl::Program& program, int unit) const = 0;
+    virtual void set(const gl::Program& program, int unit) const = 0;
     virtual int units() const = 0; ///< number of units it takes
 };
 

@@ -67,19 +67,15 @@ ShadowMapPass::Kept& ShadowMapPass::kept(const Light& light) {
     return kept_.emplace(isSun(light), Kept{std::move(target), std::move(defines)}).first->second;
 }
 
-gl::Program& ShadowMapPass::program(const MapForm& form, bool alphaTest) {
-    const std::pair key(form.parallel, alphaTest);
-    auto found = programs_.find(key);
-    if (found == programs_.end()) {
+const gl::Program& ShadowMapPass::program(const MapForm& form, bool alphaTest) {
+    const gl::Program& program = programs_.get({form.parallel, alphaTest}, [&] {
         std::vector<std::string> defines = casterDefines(form);
         if (alphaTest) defines.emplace_back("ALPHA_TEST");
-        found = programs_
-                    .emplace(key, gl::Program(shaders::shadow_map_vert, shaders::shadow_map_frag,
-                                              defines, casterAttributes))
-                    .first;
-    }
-    found->second.use();
-    return found->second;
+        return gl::Program(shaders::shadow_map_vert, shaders::shadow_map_frag, defines,
+                           casterAttributes);
+    });
+    program.use();
+    return program;
 }
 
 ShadowMapLookup ShadowMapPass::draw(const GpuScene& scene, const FrameView& frame,
@@ -175,7 +171,8 @@ void ShadowMapPass::drawFace(const MapTask& task, std::size_t face) {
             if (!scene.castsInMaps(material) || isBeyond(chunk.bounds, source, range)) continue;
             // A map can have cutouts of MASK casters; BLEND surfaces, which cast only on request,
             // are whole.
-            gl::Program& used = program(task.map.form(), material.alphaMode == AlphaMode::mask);
+            const gl::Program& used =
+                program(task.map.form(), material.alphaMode == AlphaMode::mask);
             setProjection(used, task, face, mapFromObject);
             used.set("u_mapFromObject", glm::mat4(mapFromObject));
             vertexRuns_ += drawCasterChunk(scene, chunk, used);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/gl/program.hpp"
+#include "src/gl/program_variants.hpp"
 #include "src/render/shadow_map/shadow_map_target.hpp"
 #include "src/render/shadow_map/shadow_map_view.hpp"
 #include "src/render/technique/shadow_technique.hpp"
@@ -75,7 +75,7 @@ class ShadowMapPass {
     virtual std::string filterWords() const { return "compared"; }
 
     /// Returns the program, in use.
-    gl::Program& program(const MapForm& form, bool alphaTest);
+    const gl::Program& program(const MapForm& form, bool alphaTest);
 
     ShadowMapSettings settings_;
     gl::Capabilities capabilities_;
@@ -104,8 +104,8 @@ class ShadowMapPass {
     void drawFaces(const MapTask& task);
 
     int texelWidth_;
-    std::map<bool, Kept> kept_;                             ///< by MapForm::parallel
-    std::map<std::pair<bool, bool>, gl::Program> programs_; ///< by MapForm::parallel, alphaTest
+    std::map<bool, Kept> kept_;                           ///< by MapForm::parallel
+    gl::ProgramVariants<std::pair<bool, bool>> programs_; ///< by MapForm::parallel, alphaTest
 };
 
 } // namespace edgeshade

@@ -103,11 +103,8 @@ std::size_t ShadowMapTarget::bytes() const {
 void requireMapSize(int size, int texelWidth, const gl::Capabilities& capabilities) {
     int largest = std::min(size * texelWidth, capabilities.largestTexture);
     for (const GLenum limit :
-         {GL_MAX_TEXTURE_SIZE, GL_MAX_CUBE_MAP_TEXTURE_SIZE, GL_MAX_RENDERBUFFER_SIZE}) {
-        GLint value = 0;
-        glGetIntegerv(limit, &value);
-        largest = std::min(largest, value);
-    }
+         {GL_MAX_TEXTURE_SIZE, GL_MAX_CUBE_MAP_TEXTURE_SIZE, GL_MAX_RENDERBUFFER_SIZE})
+        largest = std::min(largest, gl::integerOf(limit));
     GLint viewport[2] = {};
     glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
     largest = std::min({largest, viewport[0], viewport[1]});

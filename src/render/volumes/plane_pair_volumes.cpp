@@ -123,7 +123,7 @@ PlanePairVolumes::PlanePairVolumes(const RenderSettings& settings,
     : instancing_(capabilities.instancing), tints_(tints), defines_(std::move(defines)),
       gathered_(settings.layout) {
     planning_.mantissaBits = capabilities.vertexHighpMantissaBits;
-    if (tints_) defines_.insert(defines_.end(), {"UNIFORM_TINT", "TINT u_tint"});
+    defines_ = joined(std::move(defines_), tintDefines(tints_));
     if (settings.silhouette == SilhouetteChoice::proposed)
         silhouettes_.emplace(planning_.mantissaBits);
     const std::uint32_t quads = settings.layout == SidesLayout::notInstanced ? quadsPerDraw : 1;
@@ -187,13 +187,11 @@ void PlanePairVolumes::upload(const VolumeDraw& draw, const BatchPlan& plan,
 void PlanePairVolumes::makeProgram(const VolumeDraw& draw) {
     if (draw.shape == VolumeDraw::Shape::caps) {
         const PlanePairCapsVariant variant = capsVariantOf(draw);
-        if (!caps_.contains(variant))
-            caps_.emplace(variant, makePlanePairCapsProgram(variant, defines_));
-        return;
+        caps_.get(variant, [&] { return makePlanePairCapsProgram(variant, defines_); });
+    } else {
+        const PlanePairSidesVariant variant = variantOf(draw);
+        sides_.get(variant, [&] { return makePlanePairSidesProgram(variant, defines_); });
     }
-    const PlanePairSidesVariant variant = variantOf(draw);
-    if (!sides_.contains(variant))
-        sides_.emplace(variant, makePlanePairSidesProgram(variant, defines_));
 }
 
 void PlanePairVolumes::draw(const VolumeDraw& draw, const DrawnBatch& batch) const {
@@ -223,15 +221,11 @@ const gl::Buffer& PlanePairVolumes::bufferOf(const VolumeDraw& draw,
 
 const gl::Program& PlanePairVolumes::sidesProgram(const VolumeDraw& draw,
                                                   const DrawnBatch& batch) const {
-    const gl::Program& program = sides_.at(variantOf(draw));
-    program.use();
-    program.set("u_light", batch.plan.light);
-    program.set("u_reach", batch.plan.reach);
+    const gl::Program& program = sides_.use(variantOf(draw));
+    setVolume(program, draw, batch, tints_);
     program.set("u_end", draw.end);
     program.set("u_counted", rangeOf(draw.counted));
     program.set("u_times", static_cast<float>(draw.times));
-    program.set("u_clipFromObject", batch.clipFromObject);
-    if (tints_) program.set("u_tint", tints_->of(draw));
     return program;
 }
 
@@ -282,14 +276,10 @@ void PlanePairVolumes::drawCaps(const VolumeDraw& draw, const DrawnBatch& batch)
         draw.records == VolumeDraw::Records::lightFacingCaps
             ? gathered_.of(*batch.plan.silhouettes).caps.find(draw.cluster)->second
             : buffers.capsOf(draw.cluster);
-    const gl::Program& program = caps_.at(capsVariantOf(draw));
-    program.use();
-    program.set("u_light", batch.plan.light);
-    program.set("u_reach", batch.plan.reach);
+    const gl::Program& program = caps_.use(capsVariantOf(draw));
+    setVolume(program, draw, batch, tints_);
     program.set("u_counted", rangeOf(draw.counted));
-    program.set("u_clipFromObject", batch.clipFromObject);
     if (draw.culled) program.set("u_eye", batch.plan.eye);
-    if (tints_) program.set("u_tint", tints_->of(draw));
     if (!draw.alphaTested) {
         drawCapRecords(caps, buffers.copied(), draw.range, draw.faces, false);
         return;

@@ -2,13 +2,12 @@
 
 #include "src/gl/capabilities.hpp"
 #include "src/gl/instancing.hpp"
-#include "src/gl/program.hpp"
+#include "src/gl/program_variants.hpp"
 #include "src/render/volumes/render_settings.hpp"
 #include "src/render/volumes/silhouette_buffers.hpp"
 #include "src/render/volumes/volume_renderer.hpp"
 
 #include <compare>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -88,8 +87,8 @@ class PlanePairVolumes : public VolumeRenderer {
     gl::Buffer capCorners_;      ///< instanced: 0..5
     gl::Buffer quadIndices_;     ///< of one quad; not instanced: of as many as 16 bits reach
     gl::Buffer triangleIndices_; ///< the same for their first triangles
-    std::map<PlanePairSidesVariant, gl::Program> sides_;
-    std::map<PlanePairCapsVariant, gl::Program> caps_;
+    gl::ProgramVariants<PlanePairSidesVariant> sides_;
+    gl::ProgramVariants<PlanePairCapsVariant> caps_;
 };
 
 } // namespace edgeshade

@@ -1,8 +1,11 @@
 #pragma once
 
+#include "src/gl/program.hpp"
 #include "src/render/technique/caster_group.hpp"
 #include "src/scene/gpu_scene.hpp"
 #include "src/shadow/plan/count_plan.hpp"
+
+#include <optional>
 
 namespace edgeshade {
 
@@ -24,6 +27,13 @@ struct DrawnBatch {
     glm::mat4 clipFromObject;
     bool mirrored = false;
 };
+
+/// The #defines of shaders that draw in a tint; none without.
+std::vector<std::string> tintDefines(const std::optional<VolumeTints>& tints);
+
+/// Sets what all programs for volumes, of which this one is in use, need of a draw.
+void setVolume(const gl::Program& program, const VolumeDraw& draw, const DrawnBatch& batch,
+               const std::optional<VolumeTints>& tints);
 
 /// Plans and draws shadow volumes from one layout of records. In each frame: beginFrame(); plan();
 /// prepare() with the plan; then draw(), which only issues GL draws.

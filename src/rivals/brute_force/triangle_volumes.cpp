@@ -18,10 +18,6 @@ constexpr double leastSlope = 1e-3;
 
 using Shape = VolumeDraw::Shape;
 
-const ShadowBuffers& buffersOf(const BatchVolumes& volumes) {
-    return static_cast<const ShadowBuffers&>(*volumes.recordsOf(VolumeLayout::triangles));
-}
-
 /// The near plane in the batch's space, as that matrix clips; positive beyond it.
 glm::vec4 nearPlaneOf(const glm::mat4& clipFromObject) {
     return glm::row(clipFromObject, 2) + glm::row(clipFromObject, 3);
@@ -52,21 +48,15 @@ TriangleVolumes::TriangleVolumes(BruteForceCount count, SidesLayout layout,
 }
 
 CountPlan TriangleVolumes::plan(const GpuScene& scene, const CasterGroupInSlice& casters) {
-    CountPlan plan;
-    const bool zFail = count_ == BruteForceCount::zFail || !isClearOfNearPlane(casters);
-    for (std::size_t i = 0; i < scene.batches.size(); ++i) {
-        const GpuBatch& batch = scene.batches[i];
-        if (!casters.counts(batch)) continue;
-        const Light& light = casters.source().light;
-        plan.batches.push_back(cornerRecordPlan(batch, i, light));
-        const BatchVolumes& volumes = scene.volumesOf(i, casters.source(), layout(), casters.group);
-        appendTriangleDraws(buffersOf(volumes).groups, plan.batches.size() - 1,
-                            {.zFail = zFail,
-                             .directional = light.position.w == 0.0,
-                             .nearDiscard = casters.view.mayMeetNear(i, casters.slice)},
-                            scene.materials, plan.draws.once);
-    }
-    return plan;
+    TriangleCount count{.zFail = count_ == BruteForceCount::zFail || !isClearOfNearPlane(casters),
+                        .directional = casters.source().light.position.w == 0.0};
+    return planCornerRecords(scene, casters, layout(),
+                             [&](const ShadowBuffers& records, std::size_t batch, std::size_t index,
+                                 std::vector<VolumeDraw>& draws) {
+                                 count.nearDiscard = casters.view.mayMeetNear(batch, casters.slice);
+                                 appendTriangleDraws(records.groups, index, count, scene.materials,
+                                                     draws);
+                             });
 }
 
 TriangleVolumes::Variant TriangleVolumes::variantOf(const VolumeDraw& draw, const BatchPlan& plan) {
@@ -99,10 +89,8 @@ gl::Program TriangleVolumes::makeProgram(const Variant& variant) const {
         defines.push_back("ALPHA_TEST");
         attributes.insert(attributes.end(), {"a_alphaCornerA", "a_alphaCornerB", "a_alphaCornerC"});
     }
-    if (tints_) {
-        defines.push_back("UNIFORM_TINT");
-        defines.push_back("TINT u_tint");
-    }
+    for (std::string& define : tintDefines(tints_))
+        defines.push_back(std::move(define));
     if (!variant.nearCaps)
         return {shaders::triangle_volume_vert, shaders::caps_frag, defines, attributes};
     defines.push_back("CLIPPED");
@@ -110,21 +98,17 @@ gl::Program TriangleVolumes::makeProgram(const Variant& variant) const {
 }
 
 void TriangleVolumes::prepare(const CountPlan& plan, GpuScene&, const CasterGroupInSlice&) {
-    for (const VolumeDraw& draw : plan.draws.once)
-        if (const Variant variant = variantOf(draw, plan.batches[draw.batch]);
-            !programs_.contains(variant))
-            programs_.emplace(variant, makeProgram(variant));
+    for (const VolumeDraw& draw : plan.draws.once) {
+        const Variant variant = variantOf(draw, plan.batches[draw.batch]);
+        programs_.get(variant, [&] { return makeProgram(variant); });
+    }
 }
 
 void TriangleVolumes::draw(const VolumeDraw& draw, const DrawnBatch& batch) const {
-    const gl::Program& program = programs_.at(variantOf(draw, batch.plan));
-    const ShadowBuffers& triangles = buffersOf(batch.volumes);
+    const gl::Program& program = programs_.use(variantOf(draw, batch.plan));
+    const ShadowBuffers& triangles = cornerRecordsOf(batch.volumes, layout());
     const glm::vec4& light = batch.plan.light;
-    program.use();
-    program.set("u_light", light);
-    program.set("u_reach", batch.plan.reach);
-    program.set("u_clipFromObject", batch.clipFromObject);
-    if (tints_) program.set("u_tint", tints_->of(draw));
+    setVolume(program, draw, batch, tints_);
     if (draw.shape == Shape::nearCaps) {
         const glm::vec4 near = nearPlaneOf(batch.clipFromObject);
         const float height = glm::dot(near, light);

@@ -1,11 +1,10 @@
 #pragma once
 
-#include "src/gl/program.hpp"
+#include "src/gl/program_variants.hpp"
 #include "src/render/volumes/render_settings.hpp"
 #include "src/render/volumes/volume_renderer.hpp"
 #include "src/rivals/published/shadow_buffers.hpp"
 
-#include <map>
 #include <optional>
 
 namespace edgeshade {
@@ -53,7 +52,7 @@ class TriangleVolumes : public VolumeRenderer {
     std::optional<gl::Instancing> instancing_;
     std::optional<VolumeTints> tints_;
     gl::Buffer corners_; ///< vertex numbers v within a record
-    std::map<Variant, gl::Program> programs_;
+    gl::ProgramVariants<Variant> programs_;
 };
 
 } // namespace edgeshade

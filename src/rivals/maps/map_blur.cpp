@@ -32,12 +32,10 @@ MapBlur::MapBlur(const ShadowMapSettings& settings)
 void MapBlur::filter(const ShadowMapTarget& map, std::size_t face) const {
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
-    glActiveTexture(GL_TEXTURE0);
     const float texel = 1.0f / static_cast<float>(size_);
     const auto draw = [&](const WholePicture& by, gl::Name from, const glm::vec2& step) {
-        glBindTexture(GL_TEXTURE_2D, from);
         const gl::Program& program = by.use();
-        program.setSampler("u_from", 0);
+        program.setTexture("u_from", 0, from);
         program.set("u_texel", glm::vec2(texel));
         program.set("u_along", texel * step);
         for (int half = 0; half < halves_; ++half) {

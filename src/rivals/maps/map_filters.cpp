@@ -1,5 +1,7 @@
 #include "src/rivals/maps/map_filters.hpp"
 
+#include "preprocess/base/names.hpp"
+
 namespace edgeshade {
 
 bool isFiltered(const ShadowMapSettings& settings) {
@@ -16,33 +18,20 @@ float bleedingShareOf(const ShadowMapSettings& settings) {
 }
 
 std::vector<std::string> filterDefines(MapFilter filter) {
-    switch (filter) {
-    case MapFilter::poisson:
-        return {"POISSON"};
-    case MapFilter::variance:
-        return {"VSM"};
-    case MapFilter::exponential:
-        return {"ESM"};
-    case MapFilter::moments:
-        return {"MSM"};
-    default:
-        return {};
-    }
+    using enum MapFilter;
+    if (filter == compare) return {};
+    return {nameIn(
+        {{poisson, "POISSON"}, {variance, "VSM"}, {exponential, "ESM"}, {moments, "MSM"}}, filter)};
 }
 
 std::string filterWordsOf(MapFilter filter) {
-    switch (filter) {
-    case MapFilter::poisson:
-        return "Poisson taps";
-    case MapFilter::variance:
-        return "variance";
-    case MapFilter::exponential:
-        return "exponential";
-    case MapFilter::moments:
-        return "four moments";
-    default:
-        return "compared";
-    }
+    using enum MapFilter;
+    return nameIn({{poisson, "Poisson taps"},
+                   {variance, "variance"},
+                   {exponential, "exponential"},
+                   {moments, "four moments"},
+                   {compare, "compared"}},
+                  filter);
 }
 
 } // namespace edgeshade

@@ -25,10 +25,8 @@ const WarpedCasters& MapWarper::cut(const GpuScene& scene, const ShadowMapView& 
     return casters_;
 }
 
-void MapWarper::set(gl::Program& program, int unit) const {
-    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    glBindTexture(GL_TEXTURE_2D, table_->texture());
-    program.setSampler("u_warp", unit);
+void MapWarper::set(const gl::Program& program, int unit) const {
+    program.setTexture("u_warp", unit, table_->texture());
     program.set("u_warpInner", glm::vec4(warp_.inner()));
     program.set("u_warpOuter", glm::vec4(warp_.outer()));
 }

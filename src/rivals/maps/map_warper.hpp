@@ -29,7 +29,7 @@ class MapWarper {
     const WarpedCasters& cut(const GpuScene& scene, const ShadowMapView& view);
 
     /// Sets the uniforms of shaders_es2/rivals/maps/warp.glsl; takes one texture unit.
-    void set(gl::Program& program, int unit) const;
+    void set(const gl::Program& program, int unit) const;
 
     std::size_t bytes() const { return places_.bytes() + warpBytes(); }
     /// Bytes of the warp and of the cut casters.

@@ -1,6 +1,7 @@
 #include "src/rivals/maps/rival_map_pass.hpp"
 
 #include "src/render/drawing/attributes.hpp"
+#include "src/render/drawing/cap_alpha_test.hpp"
 #include "src/render/drawing/caster_chunk.hpp"
 #include "src/rivals/maps/map_filters.hpp"
 
@@ -22,7 +23,7 @@ void drawPart(const GpuScene& scene, const WarpedCasters::Part& part, const gl::
     const std::size_t stride = part.cutout ? sizeof(Vertex) : sizeof(glm::vec3);
     binding.add(part.vertices, 3, GL_FLOAT, false, stride, 0, false);
     if (part.cutout) {
-        setCasterCutout(scene, scene.materials[*part.cutout], program);
+        setAlphaLookup(program, alphaLookupOf(scene.materials[*part.cutout], scene.textures));
         binding.add(part.vertices, 2, GL_FLOAT, false, stride, offsetof(Vertex, texcoord), false);
         binding.add(part.vertices, 4, GL_UNSIGNED_BYTE, true, stride, offsetof(Vertex, color),
                     false);
@@ -132,7 +133,7 @@ void RivalMapPass::finish(const MapTask& task) {
     glEnable(GL_DEPTH_TEST);
 }
 
-void RivalMapPass::set(gl::Program& program, int unit) const {
+void RivalMapPass::set(const gl::Program& program, int unit) const {
     program.set("u_mapTexels", static_cast<float>(settings_.size));
     program.set("u_bleeding", bleedingShareOf(settings_));
     if (isWarped(receivers_)) warper_->set(program, unit);

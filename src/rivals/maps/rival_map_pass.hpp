@@ -37,7 +37,7 @@ class RivalMapPass : public ShadowMapPass, private MapUniforms {
     bool isParaboloid(const MapForm& form) const;
     bool isWarped(const MapForm& form) const { return warper_ && form.parallel; }
     double faceShare(const MapForm& form) const;
-    void set(gl::Program& program, int unit) const override;
+    void set(const gl::Program& program, int unit) const override;
     int units() const override { return isWarped(receivers_) ? 1 : 0; }
 
     std::optional<MapWarper> warper_; ///< set if suns' maps are warped

@@ -51,19 +51,14 @@ PlanarShadowPass::PlanarShadowPass()
     : receivers_(shaders::surface_vert, shaders::fill_frag, {}, {"a_position"}) {}
 
 const gl::Program& PlanarShadowPass::program(const Variant& variant) {
-    auto found = programs_.find(variant);
-    if (found == programs_.end()) {
-        std::vector<std::string> defines;
-        if (variant.clipped) defines.push_back("CLIPPED");
-        if (variant.alphaTest) defines.push_back("ALPHA_TEST");
-        found =
-            programs_
-                .emplace(variant, gl::Program(shaders::projected_caster_vert,
-                                              shaders::projected_frag, defines, casterAttributes))
-                .first;
-    }
-    found->second.use();
-    return found->second;
+    const gl::Program& program = programs_.get(variant, [&] {
+        return gl::Program(
+            shaders::projected_caster_vert, shaders::projected_frag,
+            gl::definesOf({{"CLIPPED", variant.clipped}, {"ALPHA_TEST", variant.alphaTest}}),
+            casterAttributes);
+    });
+    program.use();
+    return program;
 }
 
 std::size_t PlanarShadowPass::mark(const Target& target, const ShadowPlanes& planes) {

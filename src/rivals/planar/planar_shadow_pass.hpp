@@ -1,11 +1,9 @@
 #pragma once
 
-#include "src/gl/program.hpp"
+#include "src/gl/program_variants.hpp"
 #include "src/rivals/planar/shadow_planes.hpp"
 #include "src/scene/gpu_scene.hpp"
 #include "src/shadow/view/frame_view.hpp"
-
-#include <map>
 
 namespace edgeshade {
 
@@ -44,7 +42,7 @@ class PlanarShadowPass {
     void projectChunk(const Target& target, const ShadowPlane& plane, const SurfaceChunk& chunk,
                       const glm::dmat4& worldFromBatch, const glm::mat4& clipFromObject);
 
-    std::map<Variant, gl::Program> programs_;
+    gl::ProgramVariants<Variant> programs_;
     gl::Program receivers_;
     std::size_t vertexRuns_ = 0;
 };

@@ -1,14 +1,21 @@
 #pragma once
 
-#include "src/shadow/plan/count_plan.hpp"
+#include "src/render/volumes/volume_renderer.hpp"
+#include "src/rivals/published/shadow_buffers.hpp"
+
+#include <functional>
 
 namespace edgeshade {
 
-struct GpuBatch;
-struct Light;
+/// A batch's records in a layout that holds triangles by their corners.
+const ShadowBuffers& cornerRecordsOf(const BatchVolumes& volumes, VolumeLayout layout);
 
-/// The plan of a batch whose records hold triangles by their corners, without any draws yet.
-BatchPlan cornerRecordPlan(const GpuBatch& batch, std::size_t index, const Light& light);
+/// The plan of such a layout. `append` adds the draws of one batch's records; it takes the batch's
+/// index in the scene and in the plan.
+CountPlan planCornerRecords(
+    const GpuScene& scene, const CasterGroupInSlice& casters, VolumeLayout layout,
+    const std::function<void(const ShadowBuffers& records, std::size_t batch, std::size_t index,
+                             std::vector<VolumeDraw>& draws)>& append);
 
 /// Whether the light touches some caster (docs/method.md, C47). Records with corners then need
 /// programs of their own, so that the usual programs need no test.

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "src/render/volumes/volume_renderer.hpp"
-#include "src/rivals/published/caps_pass.hpp"
-#include "src/rivals/published/sides_pass.hpp"
+#include "src/rivals/published/record_passes.hpp"
 
 namespace edgeshade {
 
@@ -22,16 +21,8 @@ class OppositeVertexVolumes : public VolumeRenderer {
     VolumeLayout layout() const override { return VolumeLayout::oppositeVertices; }
 
   private:
-    void setCommon(const gl::Program& program, const VolumeDraw& draw,
-                   const DrawnBatch& batch) const;
-
-    struct Passes {
-        SidesPass sides;
-        CapsPass caps;
-    };
-
     std::optional<VolumeTints> tints_;
-    std::vector<Passes> passes_; ///< two: by isInContact()
+    std::vector<RecordPasses> passes_; ///< two: by isInContact()
 };
 
 } // namespace edgeshade

@@ -1,16 +1,12 @@
 #pragma once
 
-#include <algorithm>
+#include "preprocess/base/vectors.hpp"
+
 #include <array>
 #include <cmath>
 #include <glm/glm.hpp>
 
 namespace edgeshade {
-
-/// The largest magnitude of a component.
-inline double largestComponent(const glm::dvec3& v) {
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
 
 /// The direction of `v` with length 1; `v` must not be 0. Scaled first, so that no double under- or
 /// overflows.

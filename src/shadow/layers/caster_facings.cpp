@@ -1,7 +1,10 @@
 #include "src/shadow/layers/caster_facings.hpp"
 
+#include "preprocess/base/vectors.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace edgeshade {
 namespace {
@@ -16,13 +19,6 @@ constexpr double mostDistance = 1.7320508075688772 + 1e-6;
 /// Rounding of a normal in doubles, relative to the sine of the triangle's angle.
 constexpr double normalRounding = 0x1p-49;
 
-/// How far a cap's plane is off its triangle, as CasterFacings::Loose.
-struct PlaneError {
-    double slope = 0.0, offset = 0.0;
-
-    bool isLoose(double size) const { return !(slope <= tight && offset <= tight * size); }
-};
-
 PlaneError errorOf(const CapRecord& cap) {
     const glm::dvec3 a(cap.a), ab = glm::dvec3(cap.b) - a, ac = glm::dvec3(cap.c) - a;
     const glm::dvec3 across = glm::cross(ab, ac);
@@ -34,8 +30,10 @@ PlaneError errorOf(const CapRecord& cap) {
             std::abs(glm::dot(normal, a) + static_cast<double>(cap.plane.w))};
 }
 
+using PlaneKey = std::array<float, 4>;
+
 /// The same for a plane and the opposite one.
-std::array<float, 4> keyOf(const glm::vec4& plane) {
+PlaneKey keyOf(const glm::vec4& plane) {
     float sign = 1.0f;
     for (glm::length_t i = 3; i >= 0; --i)
         if (plane[i] != 0.0f) sign = plane[i] < 0.0f ? -1.0f : 1.0f;
@@ -43,32 +41,16 @@ std::array<float, 4> keyOf(const glm::vec4& plane) {
     return {key.x, key.y, key.z, key.w};
 }
 
-struct LoosePlane {
-    std::array<float, 4> key;
-    PlaneError error;
-};
-
-/// One entry for each plane of a loose triangle, sorted by key, with its largest errors.
-std::vector<LoosePlane> loosePlanes(const PlanePairShadow& shadow, double size) {
-    std::vector<LoosePlane> planes;
+/// The planes of loose triangles, each with its largest errors. `size`: of the coordinates.
+std::map<PlaneKey, PlaneError> loosePlanes(const PlanePairShadow& shadow, double size) {
+    std::map<PlaneKey, PlaneError> planes;
     for (const CapRecord& cap : shadow.caps) {
         if (!cap.casts()) continue;
         const PlaneError error = errorOf(cap);
-        if (error.isLoose(size)) planes.push_back({keyOf(cap.plane), error});
+        if (error.slope <= tight && error.offset <= tight * size) continue;
+        PlaneError& largest = planes[keyOf(cap.plane)];
+        largest = {std::max(largest.slope, error.slope), std::max(largest.offset, error.offset)};
     }
-    std::sort(planes.begin(), planes.end(),
-              [](const LoosePlane& p, const LoosePlane& q) { return p.key < q.key; });
-    std::size_t end = 0;
-    for (const LoosePlane& plane : planes) {
-        if (end == 0 || planes[end - 1].key != plane.key) {
-            planes[end++] = plane;
-            continue;
-        }
-        PlaneError& largest = planes[end - 1].error;
-        largest.slope = std::max(largest.slope, plane.error.slope);
-        largest.offset = std::max(largest.offset, plane.error.offset);
-    }
-    planes.resize(end);
     return planes;
 }
 
@@ -77,32 +59,28 @@ std::vector<LoosePlane> loosePlanes(const PlanePairShadow& shadow, double size) 
 CasterFacings::CasterFacings(const PlanePairShadow& shadow) : shadow_(&shadow), facings_(shadow) {
     for (const ShadowCluster& cluster : shadow.clusters)
         for (const glm::dvec3& corner : {cluster.bounds.low, cluster.bounds.high})
-            size_ = std::max({size_, std::abs(corner.x), std::abs(corner.y), std::abs(corner.z)});
-    const std::vector<LoosePlane> planes = loosePlanes(shadow, size_);
+            size_ = std::max(size_, largestComponent(corner));
+    const std::map<PlaneKey, PlaneError> planes = loosePlanes(shadow, size_);
     if (planes.empty()) return;
-    for (std::uint32_t cap = 0; cap < shadow.caps.size(); ++cap) {
-        const std::array<float, 4> key = keyOf(shadow.caps[cap].plane);
-        const auto found = std::lower_bound(
-            planes.begin(), planes.end(), key,
-            [](const LoosePlane& p, const std::array<float, 4>& k) { return p.key < k; });
-        if (found != planes.end() && found->key == key)
-            loose_.push_back({cap, found->error.slope, found->error.offset});
-    }
+    for (std::uint32_t cap = 0; cap < shadow.caps.size(); ++cap)
+        if (const auto found = planes.find(keyOf(shadow.caps[cap].plane)); found != planes.end())
+            loose_.push_back({cap, found->second});
 }
 
 void CasterFacings::find(const LightInBatch& light, std::vector<std::int8_t>& facings) const {
     // No triangle is farther from the light. An error of its normal counts times this.
     const double distance = light.length() + mostDistance * size_ * light.place.w;
-    const auto reachFor = [&](double slope, double offset) {
-        const double reach = slope * distance + offset * light.place.w + light.floatRounding();
+    const auto reachFor = [&](const PlaneError& error) {
+        const double reach =
+            error.slope * distance + error.offset * light.place.w + light.floatRounding();
         return reach * (1.0 + 1e-6);
     };
     LightBall ball{glm::vec4(light.place)};
-    ball.reach = static_cast<float>(reachFor(tight, tight * size_));
+    ball.reach = static_cast<float>(reachFor({tight, tight * size_}));
     facings_.find(ball, 23, facings);
-    for (const auto& [cap, slope, offset] : loose_) {
+    for (const auto& [cap, error] : loose_) {
         const double side = glm::dot(glm::dvec4(shadow_->caps[cap].plane), light.place);
-        if (!(std::abs(side) > reachFor(slope, offset))) facings[cap] = 0;
+        if (!(std::abs(side) > reachFor(error))) facings[cap] = 0;
     }
 }
 

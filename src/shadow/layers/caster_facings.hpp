@@ -5,6 +5,12 @@
 
 namespace edgeshade {
 
+/// How far a plane is off its triangle.
+struct PlaneError {
+    double slope = 0.0;  ///< the difference of the unit normals of plane and triangle
+    double offset = 0.0; ///< the distance of the triangle from the plane
+};
+
 /// Classifies a batch's triangles by the side from which a light sees them, where that is certain
 /// for the triangle itself and not only for its plane of floats (docs/method.md, C48).
 class CasterFacings {
@@ -24,16 +30,15 @@ class CasterFacings {
   private:
     /// A cap whose plane is off by more than rounding to floats: its triangle is thin, or only
     /// nearly flat with its neighbours.
-    struct Loose {
+    struct LooseCap {
         std::uint32_t cap;
-        double slope;  ///< the largest difference of the unit normals of plane and triangle
-        double offset; ///< the largest distance of the triangle from the plane
+        PlaneError error; ///< the largest of all triangles with that plane
     };
 
     const PlanePairShadow* shadow_;
     LightFacings facings_;
     double size_ = 0.0;
-    std::vector<Loose> loose_;
+    std::vector<LooseCap> loose_;
 };
 
 } // namespace edgeshade

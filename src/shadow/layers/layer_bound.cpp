@@ -35,16 +35,13 @@ std::map<std::uint32_t, std::size_t> membersByUnit(const TriangleIndices& cell,
 Units unitsOf(const Scene& scene, bool castMasked, const std::vector<TriangleIndices>& crowded,
               std::size_t limit) {
     const std::vector<std::size_t> first = firstOfGeometry(scene.batches);
-    std::vector<std::size_t> places(first.size(), 0), triangles(first.size(), 0);
+    const std::vector<std::size_t> triangles = casterCounts(scene, castMasked);
+    std::vector<std::size_t> places(first.size(), 0);
     Units whole;
     std::vector<std::uint32_t> unitOfBatch;
     for (std::size_t i = 0; i < first.size(); ++i)
         ++places[first[i]];
     for (std::size_t i = 0; i < first.size(); ++i) {
-        triangles[i] =
-            first[i] != i
-                ? triangles[first[i]]
-                : castersOf(scene.batches[i], scene.materials, castMasked).indices.size() / 3;
         unitOfBatch.push_back(static_cast<std::uint32_t>(whole.count));
         whole.add(triangles[i], places[first[i]] > 1);
     }

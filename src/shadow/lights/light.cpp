@@ -1,6 +1,7 @@
 #include "src/shadow/lights/light.hpp"
 
 #include "preprocess/base/error.hpp"
+#include "preprocess/base/vectors.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +23,7 @@ glm::dvec4 placeInObject(const Light& light, const glm::dmat4& worldFromObject) 
     glm::dvec4 inObject = glm::inverse(worldFromObject) * light.position;
     if (light.position.w == 0.0) {
         // Keeps squares of it within the range of floats.
-        inObject /= std::max({std::abs(inObject.x), std::abs(inObject.y), std::abs(inObject.z)});
+        inObject /= largestComponent(glm::dvec3(inObject));
         inObject.w = 0.0;
     }
     return inObject;

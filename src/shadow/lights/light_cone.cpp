@@ -1,5 +1,7 @@
 #include "src/shadow/lights/light_cone.hpp"
 
+#include "src/shadow/geometry/vectors.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,16 +16,9 @@ double widened(const Cone& cone) {
     return std::min(cone.outer * widening, 0.5 * std::numbers::pi);
 }
 
-/// Two directions of length 1, perpendicular to the axis and to each other.
-std::array<glm::dvec3, 2> acrossOf(const glm::dvec3& axis) {
-    const glm::dvec3 other = std::abs(axis.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
-    const glm::dvec3 right = glm::normalize(glm::cross(axis, other));
-    return {right, glm::cross(right, axis)};
-}
-
 /// The direction across the axis to the middle of a side of the pyramid, or, for half-integers, to
 /// a corner.
-glm::dvec3 towardsSide(const std::array<glm::dvec3, 2>& across, double side) {
+glm::dvec3 towardsSide(const std::array<glm::dvec3, 3>& across, double side) {
     const double angle = 2.0 * std::numbers::pi * side / sides;
     return std::cos(angle) * across[0] + std::sin(angle) * across[1];
 }
@@ -31,7 +26,7 @@ glm::dvec3 towardsSide(const std::array<glm::dvec3, 2>& across, double side) {
 } // namespace
 
 glm::dmat4 coneFromWorld(const Light& spot) {
-    const auto across = acrossOf(spot.cone->axis);
+    const auto across = axesAlong(spot.cone->axis);
     const glm::dmat3 turn = glm::transpose(glm::dmat3(across[0], across[1], spot.cone->axis));
     glm::dmat4 coneFrom(turn);
     coneFrom[3] = glm::dvec4(-(turn * glm::dvec3(spot.position)), 1.0);
@@ -40,7 +35,7 @@ glm::dmat4 coneFromWorld(const Light& spot) {
 
 std::vector<glm::dvec4> planesAround(const Light& spot) {
     const glm::dvec3& axis = spot.cone->axis;
-    const auto across = acrossOf(axis);
+    const auto across = axesAlong(axis);
     const double angle = widened(*spot.cone);
     std::vector<glm::dvec4> planes = {{axis, -glm::dot(axis, glm::dvec3(spot.position))}};
     for (int side = 0; side < sides; ++side) {
@@ -68,7 +63,7 @@ bool hasPyramid(const Light& spot) {
 }
 
 std::array<glm::dvec3, 9> pyramidAround(const Light& spot, double reach) {
-    const auto across = acrossOf(spot.cone->axis);
+    const auto across = axesAlong(spot.cone->axis);
     const double along = reach * widening;
     const double aside = along * std::tan(widened(*spot.cone)) / std::cos(std::numbers::pi / sides);
     const glm::dvec3 light(spot.position);

@@ -110,8 +110,7 @@ LightBall ballInObject(const LightRegion& region, const glm::dmat4& worldFromObj
     if (region.center.w == 0.0) {
         // lightInObject() scales directions so: those `radius` apart come up to 1 + sqrt(3) times
         // as far apart, divided by the smaller one's largest component.
-        const double largest =
-            std::max({std::abs(center.x), std::abs(center.y), std::abs(center.z)});
+        const double largest = largestComponent(glm::dvec3(center));
         radius = radius < largest ? (1.0 + std::numbers::sqrt3) * radius / (largest - radius)
                                   : everywhere;
         center /= largest;

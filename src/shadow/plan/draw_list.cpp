@@ -48,10 +48,7 @@ class ClusterDraws {
 
     void appendSides(Times times, std::vector<VolumeDraw>& draws) const {
         for (const auto& [records, range] : sides(how_.clusters, times)) {
-            VolumeDraw& draw = draws.emplace_back(like_);
-            draw.records = records;
-            draw.range = range;
-            draw.verticesPerRecord = verticesPerSide_;
+            VolumeDraw& draw = add(Shape::sides, records, range, verticesPerSide_, draws);
             draw.times = times;
             draw.end = end_;
         }
@@ -62,11 +59,8 @@ class ClusterDraws {
         for (std::uint32_t c = how_.clusters.first; c < how_.clusters.end(); ++c) {
             if (!isFanned(c)) continue;
             for (const auto& [records, range] : sides({c, 1}, times)) {
-                VolumeDraw& draw = draws.emplace_back(like_);
-                draw.shape = Shape::fans;
-                draw.records = records;
-                draw.range = range;
-                draw.verticesPerRecord = verticesPerCap * faceCount();
+                VolumeDraw& draw =
+                    add(Shape::fans, records, range, verticesPerCap * faceCount(), draws);
                 draw.cluster = c;
                 draw.times = times;
             }
@@ -125,15 +119,21 @@ class ClusterDraws {
     int faceCount() const { return like_.faces == CapFaces::both ? 2 : 1; }
     bool isFanned(std::uint32_t cluster) const { return fanned_[cluster - how_.clusters.first]; }
 
-    void appendCaps(std::uint32_t cluster, Records records, const RecordRange& range,
-                    std::optional<std::size_t> alphaTested, std::vector<VolumeDraw>& draws) const {
+    VolumeDraw& add(Shape shape, Records records, const RecordRange& range, int verticesPerRecord,
+                    std::vector<VolumeDraw>& draws) const {
         VolumeDraw& draw = draws.emplace_back(like_);
-        draw.shape = Shape::caps;
+        draw.shape = shape;
         draw.records = records;
         draw.range = range;
+        draw.verticesPerRecord = verticesPerRecord;
+        return draw;
+    }
+
+    void appendCaps(std::uint32_t cluster, Records records, const RecordRange& range,
+                    std::optional<std::size_t> alphaTested, std::vector<VolumeDraw>& draws) const {
+        const int triangles = faceCount() + (alphaTested && !cutoutsAlone() ? 1 : 0);
+        VolumeDraw& draw = add(Shape::caps, records, range, verticesPerCap * triangles, draws);
         draw.cutoutsAlone = cutoutsAlone();
-        draw.verticesPerRecord =
-            verticesPerCap * (faceCount() + (alphaTested && !draw.cutoutsAlone ? 1 : 0));
         draw.cluster = cluster;
         draw.nearDiscard = how_.nearDiscard;
         draw.alphaTested = alphaTested;
@@ -142,11 +142,7 @@ class ClusterDraws {
     void appendCulledCaps(std::uint32_t cluster, const RecordRange& range,
                           std::optional<std::size_t> alphaTested,
                           std::vector<VolumeDraw>& draws) const {
-        VolumeDraw& draw = draws.emplace_back(like_);
-        draw.shape = Shape::caps;
-        draw.records = Records::caps;
-        draw.range = range;
-        draw.verticesPerRecord = verticesPerCap;
+        VolumeDraw& draw = add(Shape::caps, Records::caps, range, verticesPerCap, draws);
         draw.cluster = cluster;
         draw.zFail = false;
         draw.faces = CapFaces::front;

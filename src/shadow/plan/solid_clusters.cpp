@@ -3,19 +3,13 @@
 #include "preprocess/mesh/solid_components.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <span>
 
 namespace edgeshade {
 namespace {
 
 bool areSolids(std::span<const CapRecord> caps) {
-    std::vector<glm::vec3> corners;
-    for (const CapRecord& cap : caps)
-        corners.insert(corners.end(), {cap.a, cap.b, cap.c});
-    std::vector<std::uint32_t> indices(corners.size());
-    std::iota(indices.begin(), indices.end(), 0u);
-    const WeldedMesh mesh = weld(corners, indices);
+    const WeldedMesh mesh = weldCaps(caps);
     const EdgeList edges = buildEdges(mesh);
     const auto solid = solidComponents(mesh, edges, findComponents(mesh, edges));
     return !solid.empty() &&

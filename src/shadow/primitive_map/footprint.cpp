@@ -1,5 +1,6 @@
 #include "src/shadow/primitive_map/footprint.hpp"
 
+#include "preprocess/base/vectors.hpp"
 #include "preprocess/mesh/components.hpp"
 #include "src/shadow/geometry/polygon.hpp"
 #include "src/shadow/lights/light_contact.hpp"
@@ -32,7 +33,7 @@ double leastOn(const glm::dvec3& plane, const RaySquare& square) {
 /// The plane through the edge, scaled to a largest component of 1, the same for both neighbours.
 glm::dvec3 edgePlane(const glm::dvec3& a, const glm::dvec3& b) {
     const glm::dvec3 plane = glm::cross(a, b);
-    const double largest = std::max({std::abs(plane.x), std::abs(plane.y), std::abs(plane.z)});
+    const double largest = largestComponent(plane);
     return largest > 0.0 ? plane / largest : plane;
 }
 

@@ -1,6 +1,7 @@
 #include "src/shadow/view/frustum.hpp"
 
 #include "preprocess/base/error.hpp"
+#include "preprocess/base/vectors.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +19,7 @@ constexpr double tolerance = 1e-4;
 }
 
 void requireFinite(const glm::dmat4& matrix, const std::string& name) {
-    for (glm::length_t c = 0; c < 4; ++c)
-        for (glm::length_t r = 0; r < 4; ++r)
-            if (!std::isfinite(matrix[c][r]))
-                fail("The " + name + " matrix has a number that is not finite.");
+    if (!isFinite(matrix)) fail("The " + name + " matrix has a number that is not finite.");
 }
 
 /// The scale factor of a view matrix, even if it mirrors.

@@ -1,5 +1,7 @@
 #include "src/shadow/view/scene_cameras.hpp"
 
+#include "preprocess/base/vectors.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -44,7 +46,7 @@ Camera uprightCamera(const SceneCamera& camera, const Box& bounds) {
     const glm::dvec3 from(camera.worldFromCamera[3]), forward(-camera.worldFromCamera[2]);
     const double size = bounds.empty() ? 1.0 : bounds.diagonal();
     const double ahead = bounds.empty() ? 1.0 : glm::dot(bounds.center() - from, forward);
-    const double place = std::max({std::abs(from.x), std::abs(from.y), std::abs(from.z)});
+    const double place = largestComponent(from);
     const double distance = std::max({ahead, 0.01 * size, 1e-6 * place, 1e-9});
     return {from, from + distance * forward, glm::degrees(camera.height)};
 }

@@ -4,6 +4,7 @@
 #include "src/shadow/lights/light_extent.hpp"
 #include "src/shadow/primitive_map/footprint.hpp"
 #include "src/shadow/primitive_map/primitive_map_builder.hpp"
+#include "tests/support/extended_lights.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
 
@@ -29,23 +30,8 @@ class Draw {
     std::mt19937 random_;
 };
 
-Light sphereAt(const glm::dvec3& place, double radius) {
-    Light light = pointLight(place);
-    light.extent = {.shape = LightExtent::Shape::sphere, .radius = radius};
-    return light;
-}
-
 Light panelAt(const glm::dvec3& place, const glm::dvec2& size) {
-    Light light = pointLight(place);
-    light.extent = {
-        .shape = LightExtent::Shape::rectangle, .size = size, .direction = glm::normalize(-place)};
-    return light;
-}
-
-Light discTowards(const glm::dvec3& towards, double degrees) {
-    Light light = sun(towards);
-    light.extent = {.shape = LightExtent::Shape::disc, .radius = 0.5 * glm::radians(degrees)};
-    return light;
+    return test::panelAt(place, size, glm::normalize(-place));
 }
 
 /// Small boxes, a wall and some loose triangles, all within 1 of the origin.

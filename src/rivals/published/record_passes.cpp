@@ -1,12 +1,16 @@
-#include "src/rivals/published/sides_pass.hpp"
+#include "src/rivals/published/record_passes.hpp"
 
 #include "shaders_es2/record_layout.glsl"
 #include "src/render/drawing/attributes.hpp"
+#include "src/rivals/published/cap_records.hpp"
 
 namespace edgeshade {
 
-SidesPass::SidesPass(MultiplicityMethod method, SidesLayout layout,
-                     std::optional<gl::Instancing> instancing, std::vector<std::string> defines)
+static_assert(VERTICES_PER_CAP_PAIR <= VERTICES_PER_SIDE);
+
+RecordPasses::RecordPasses(MultiplicityMethod method, SidesLayout layout,
+                           std::optional<gl::Instancing> instancing,
+                           std::vector<std::string> defines)
     : method_(method), layout_(layout), instancing_(instancing), defines_(std::move(defines)) {
     std::vector<glm::vec2> corners;
     for (int side = 0; side < LARGEST_RECORD_MULTIPLICITY; ++side)
@@ -15,24 +19,21 @@ SidesPass::SidesPass(MultiplicityMethod method, SidesLayout layout,
     corners_ = gl::vertexBuffer<glm::vec2>(corners);
 }
 
-void SidesPass::prepare(int maxMultiplicity) {
-    if (!programs_.contains(maxMultiplicity))
-        programs_.emplace(maxMultiplicity,
-                          makeSidesProgram(method_, maxMultiplicity, layout_, defines_));
+void RecordPasses::prepareSides(int maxMultiplicity) {
+    sides_.get(maxMultiplicity,
+               [&] { return makeSidesProgram(method_, maxMultiplicity, layout_, defines_); });
 }
 
-const gl::Program& SidesPass::use(int maxMultiplicity) const {
-    const gl::Program& program = programs_.at(maxMultiplicity);
-    program.use();
-    return program;
+void RecordPasses::prepareCaps(const CapsVariant& variant) {
+    caps_.get(variant, [&] { return makeCapsProgram(method_, layout_, variant, defines_); });
 }
 
-void SidesPass::draw(const ShadowBuffers& shadow) const {
+void RecordPasses::drawSides(const ShadowBuffers& shadow) const {
     for (const RecordChunk& chunk : shadow.sides)
-        drawRecords(shadow, chunk);
+        drawChunk(shadow, chunk);
 }
 
-void SidesPass::drawRecords(const ShadowBuffers& shadow, const RecordChunk& chunk) const {
+void RecordPasses::drawChunk(const ShadowBuffers& shadow, const RecordChunk& chunk) const {
     const auto vectors = static_cast<std::size_t>(2 + shadow.maxMultiplicity);
     const auto records = static_cast<int>(chunk.recordCount);
     const int vertices = shadow.maxMultiplicity * VERTICES_PER_SIDE;
@@ -49,10 +50,18 @@ void SidesPass::drawRecords(const ShadowBuffers& shadow, const RecordChunk& chun
         instancing_->drawTriangles(vertices, records);
         return;
     }
+    const gl::Program& program = useSides(shadow.maxMultiplicity);
     for (int side = 0; side < shadow.maxMultiplicity; ++side) {
-        programs_.at(shadow.maxMultiplicity).set("u_side", static_cast<float>(side));
+        program.set("u_side", static_cast<float>(side));
         instancing_->drawTriangles(VERTICES_PER_SIDE, records);
     }
+}
+
+void RecordPasses::drawCaps(const ShadowBuffers& shadow, const RecordRange& caps,
+                            bool alphaTested) const {
+    const gl::Instancing* instancing =
+        layout_ == SidesLayout::notInstanced ? nullptr : &*instancing_;
+    drawCapRecords(shadow, caps, {instancing, corners_, VERTICES_PER_CAP_PAIR}, alphaTested);
 }
 
 } // namespace edgeshade

@@ -3,6 +3,7 @@
 #include "src/render/accumulation/subpixels.hpp"
 #include "src/shadow/lights/light_extent.hpp"
 #include "src/shadow/silhouette/potential_silhouettes.hpp"
+#include "tests/support/extended_lights.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
 
@@ -13,31 +14,14 @@
 namespace edgeshade {
 namespace {
 
-using test::pointLight;
-using test::sun;
-
-Light sphere(const glm::dvec3& center, double radius) {
-    Light light = pointLight(center);
-    light.extent = {.shape = LightExtent::Shape::sphere, .radius = radius};
-    return light;
-}
-
-Light rectangle(const glm::dvec3& center, const glm::dvec2& size, const glm::dvec3& direction) {
-    Light light = pointLight(center);
-    light.extent = {.shape = LightExtent::Shape::rectangle, .size = size, .direction = direction};
-    return light;
-}
-
-Light disc(const glm::dvec3& towards, double degrees) {
-    Light light = sun(towards);
-    light.extent = {.shape = LightExtent::Shape::disc, .radius = 0.5 * glm::radians(degrees)};
-    return light;
-}
+using test::discTowards;
+using test::panelAt;
+using test::sphereAt;
 
 std::vector<Light> everyShape() {
-    return {sphere({1, 2, 3}, 0.5), rectangle({1, 2, 3}, {2, 0.5}, {0, -1, 0}),
-            rectangle({-4, 2, 0}, {1, 1}, glm::normalize(glm::dvec3(1, -1, 0.3))),
-            disc({3, 10, -2}, 0.53), disc({0, 0.001, 0}, 90.0)};
+    return {sphereAt({1, 2, 3}, 0.5), panelAt({1, 2, 3}, {2, 0.5}, {0, -1, 0}),
+            panelAt({-4, 2, 0}, {1, 1}, glm::normalize(glm::dvec3(1, -1, 0.3))),
+            discTowards({3, 10, -2}, 0.53), discTowards({0, 0.001, 0}, 90.0)};
 }
 
 TEST(LightExtent, TheFirstPointIsTheCentre) {
@@ -79,7 +63,7 @@ TEST(LightExtent, TheRegionHoldsThemAllAndIsNoLargerThanNeeded) {
 
 TEST(LightExtent, APointOfASunIsADirectionOfLengthOneWithinItsDisc) {
     const double degrees = 10.0;
-    const Light light = disc({1, 2, 0.5}, degrees);
+    const Light light = discTowards({1, 2, 0.5}, degrees);
     const glm::dvec3 center = glm::normalize(glm::dvec3(1, 2, 0.5));
     for (const Light& point : lightPoints(light, 1000)) {
         const glm::dvec3 direction(point.position);
@@ -104,7 +88,7 @@ double unevenness(const std::vector<glm::dvec2>& points) {
 
 // Points on the sphere's surface would crowd at the rim, points in its volume in the middle.
 TEST(LightExtent, ASpheresPointsFillItsDiscEvenlyFromEverySide) {
-    const std::vector<Light> points = lightPoints(sphere({0, 0, 0}, 1.0), 2000);
+    const std::vector<Light> points = lightPoints(sphereAt({0, 0, 0}, 1.0), 2000);
     for (const glm::dvec3 along :
          {glm::dvec3(0, 0, 1), glm::dvec3(1, 0, 0), glm::normalize(glm::dvec3(1, 2, -1))}) {
         const glm::dvec3 right = glm::normalize(glm::cross(along, glm::dvec3(0.3, 0.5, -0.8)));
@@ -119,7 +103,7 @@ TEST(LightExtent, ASpheresPointsFillItsDiscEvenlyFromEverySide) {
 
 TEST(LightExtent, ARectangleLiesAcrossItsDirectionWithItsWidthLevel) {
     const glm::dvec3 facing = glm::normalize(glm::dvec3(1, -1, 0.3));
-    const Light light = rectangle({-4, 2, 0}, {3, 1}, facing);
+    const Light light = panelAt({-4, 2, 0}, {3, 1}, facing);
     glm::dvec2 farthest(0.0);
     for (const Light& point : lightPoints(light, 2000)) {
         const glm::dvec3 offset = glm::dvec3(point.position) - glm::dvec3(-4, 2, 0);
@@ -154,7 +138,7 @@ TEST(LightExtent, OneListOfSilhouettesServesAllPoints) {
     const auto shadow = buildPlanePairs(scene, false).front();
     PotentialSilhouettes silhouettes(23);
     const auto identity = std::make_shared<const int>(0);
-    const Light light = sphere({1, 4, 1}, 0.4);
+    const Light light = sphereAt({1, 4, 1}, 0.4);
     const LightBall around = ballInObject(regionOf(light), glm::dmat4(1.0));
     for (const Light& point : lightPoints(light, 40)) {
         silhouettes.beginFrame(identity);
