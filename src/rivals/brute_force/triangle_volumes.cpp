@@ -51,8 +51,9 @@ TriangleVolumes::TriangleVolumes(BruteForceCount count, SidesLayout layout,
     corners_ = gl::vertexBuffer<glm::vec2>(corners);
 }
 
-CountPlan TriangleVolumes::plan(const GpuScene& scene, const CasterGroupInSlice& casters) {
-    CountPlan plan;
+void TriangleVolumes::plan(const GpuScene& scene, const CasterGroupInSlice& casters,
+                           CountPlan& plan) {
+    plan.clear();
     const bool zFail = count_ == BruteForceCount::zFail || !isClearOfNearPlane(casters);
     for (std::size_t i = 0; i < scene.batches.size(); ++i) {
         const GpuBatch& batch = scene.batches[i];
@@ -66,7 +67,6 @@ CountPlan TriangleVolumes::plan(const GpuScene& scene, const CasterGroupInSlice&
                              .nearDiscard = casters.view.mayMeetNear(i, casters.slice)},
                             scene.materials, plan.draws.once);
     }
-    return plan;
 }
 
 TriangleVolumes::Variant TriangleVolumes::variantOf(const VolumeDraw& draw, const BatchPlan& plan) {

@@ -34,8 +34,9 @@ OppositeVertexVolumes::OppositeVertexVolumes(MultiplicityMethod method, SidesLay
     }
 }
 
-CountPlan OppositeVertexVolumes::plan(const GpuScene& scene, const CasterGroupInSlice& casters) {
-    CountPlan plan;
+void OppositeVertexVolumes::plan(const GpuScene& scene, const CasterGroupInSlice& casters,
+                                 CountPlan& plan) {
+    plan.clear();
     for (std::size_t i = 0; i < scene.batches.size(); ++i) {
         const GpuBatch& batch = scene.batches[i];
         if (!casters.counts(batch)) continue;
@@ -45,7 +46,6 @@ CountPlan OppositeVertexVolumes::plan(const GpuScene& scene, const CasterGroupIn
                                   casters.view.mayMeetNear(i, casters.slice), scene.materials,
                                   plan.draws.once);
     }
-    return plan;
 }
 
 void OppositeVertexVolumes::prepare(const CountPlan& plan, GpuScene& scene,
