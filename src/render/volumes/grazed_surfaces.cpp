@@ -26,6 +26,12 @@ std::array<glm::vec3, 3> cornersOf(const Geometry& geometry, std::size_t triangl
     return {corner(0), corner(1), corner(2)};
 }
 
+/// Whether the triangle has an area in doubles. Others have no contact (contactOf()).
+bool hasArea(const std::array<glm::vec3, 3>& corners) {
+    const glm::dvec3 a(corners[0]), b(corners[1]), c(corners[2]);
+    return glm::length(glm::cross(b - a, c - a)) > 0.0;
+}
+
 } // namespace
 
 const GrazedSurfaces::Triangles& GrazedSurfaces::trianglesOf(const GpuBatch& batch) {
@@ -50,7 +56,7 @@ const GrazedSurfaces::Triangles& GrazedSurfaces::trianglesOf(const GpuBatch& bat
                                 glm::dot(normal, geometry.normals[vertex]) < parallel);
             triangles.farthest = std::max(triangles.farthest, glm::length(corners[c]));
         }
-        (smooth ? triangles.order : flat).push_back(t);
+        if (hasArea(corners)) (smooth ? triangles.order : flat).push_back(t);
     }
     triangles.smooth = triangles.order.size();
     triangles.order.insert(triangles.order.end(), flat.begin(), flat.end());

@@ -28,10 +28,10 @@ class GrazedSurfaces {
     /// A geometry's triangles.
     struct Triangles {
         CopyOnWrite<Geometry> geometry; ///< shared, so that nobody edits it in place
-        /// Indices of triangles: first those of which some vertex has another normal.
+        /// Indices of triangles with an area: first those of which some vertex has another normal.
         std::vector<std::uint32_t> order;
         std::size_t smooth = 0; ///< number of these
-        PlaneColumns planes;    ///< in that order; 0 for triangles without area
+        PlaneColumns planes;    ///< in that order; 0 if the area is 0 in floats
         float farthest = 0.0f;  ///< greatest distance of a position from the origin
         bool used = true;
     };
