@@ -64,7 +64,7 @@ class Stage {
     void look(const FrameRequest& request, bool moves, bool volumes,
               std::optional<std::size_t> mostShadowed) {
         Stopwatch watch;
-        view_ = makeFrameView(loaded_.scene, request, bounds_, tree_);
+        makeFrameView(loaded_.scene, request, bounds_, tree_, view_);
         chooseLights(view_, mostShadowed);
         for (FrameLight& of : view_.lights)
             of.atRest = !moves;

@@ -47,7 +47,7 @@ std::string bruteForceOf(const FramePlan& plan) {
     std::string text = "brute force: one volume for each triangle";
     for (std::size_t s = 0; s < plan.slices.size(); ++s)
         for (std::size_t i = 0; i < plan.slices[s].lights.size(); ++i) {
-            const std::vector<CountPlan>& counts = plan.slices[s].lights[i].counts;
+            const auto& counts = plan.slices[s].lights[i].counts;
             if (counts.empty()) continue;
             const auto& draws = counts.front().draws.once;
             const bool zFail = draws.empty() || draws.front().zFail;

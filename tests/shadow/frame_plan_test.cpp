@@ -52,8 +52,8 @@ std::unique_ptr<Planned> planned(const Scene& scene, const Camera& camera,
          .open = {0, 0, 64, 64},
          .groupCount = [&](std::size_t light) { return light == 0 ? groups : 1; },
          .planCount =
-             [&](const DepthSlice& slice, std::size_t light, std::size_t) {
-                 return planCount(casters, scene.materials, result->view, slice, light, settings);
+             [&](const DepthSlice& slice, std::size_t light, std::size_t, CountPlan& plan) {
+                 planCount(casters, scene.materials, result->view, slice, light, settings, plan);
              }});
     return result;
 }

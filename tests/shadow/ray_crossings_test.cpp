@@ -47,6 +47,14 @@ Soup anySoup(Random& random) {
     return soup;
 }
 
+/// The caps that may meet a volume.
+Touched touching(const NearClipVolume& volume, const ShadowCluster& cluster,
+                 const PlanePairShadow& shadow, std::size_t limit = mostTouched) {
+    Touched touched;
+    findTouching(ClipVolumeFaces(volume), cluster, shadow, touched, limit);
+    return touched;
+}
+
 } // namespace
 
 TEST(RayCrossings, WhereTheyAreEvenEveryPointHasAsMany) {
@@ -62,9 +70,10 @@ TEST(RayCrossings, WhereTheyAreEvenEveryPointHasAsMany) {
         const NearClipVolume pyramid{{{corner, corner + right, corner + right + up, corner + up}},
                                      light};
         for (const ShadowCluster& cluster : shadow.clusters) {
-            const Touched touched = capsTouching(pyramid, cluster, shadow);
+            Touched touched = touching(pyramid, cluster, shadow);
             if (touched.caps.empty()) continue;
-            if (evennessOf(pyramid, touched.caps, shadow, dotRounding(23)) != Evenness::even) {
+            if (evennessOf(ClipVolumeFaces(pyramid), touched, shadow, dotRounding(23)) !=
+                Evenness::even) {
                 ++uneven;
                 continue;
             }
@@ -91,22 +100,25 @@ TEST(RayCrossings, OfASilhouetteAreUneven) {
     // One triangle whose edge is over the middle of the rectangle.
     const PlanePairShadow shadow = shadowOf({{{0, 1, -5}, {0, 1, 5}, {5, 1, 0}}, {0, 1, 2}});
     const NearClipVolume pyramid{{{{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}}}, {0, 9, 0, 1}};
-    const Touched touched = capsTouching(pyramid, shadow.clusters[0], shadow);
-    EXPECT_EQ(evennessOf(pyramid, touched.caps, shadow, dotRounding(23)), Evenness::outlineMet);
+    Touched touched = touching(pyramid, shadow.clusters[0], shadow);
+    EXPECT_EQ(evennessOf(ClipVolumeFaces(pyramid), touched, shadow, dotRounding(23)),
+              Evenness::outlineMet);
 }
 
 TEST(RayCrossings, OfATriangleThroughTheRectangleAreUneven) {
     const PlanePairShadow shadow = shadowOf({{{-9, -1, -9}, {9, -1, -9}, {0, 2, 9}}, {0, 1, 2}});
     const NearClipVolume pyramid{{{{-1, 0, -4}, {1, 0, -4}, {1, 0, 1}, {-1, 0, 1}}}, {0, 9, 0, 1}};
-    const Touched touched = capsTouching(pyramid, shadow.clusters[0], shadow);
-    EXPECT_EQ(evennessOf(pyramid, touched.caps, shadow, dotRounding(23)), Evenness::rectangleMet);
+    Touched touched = touching(pyramid, shadow.clusters[0], shadow);
+    EXPECT_EQ(evennessOf(ClipVolumeFaces(pyramid), touched, shadow, dotRounding(23)),
+              Evenness::rectangleMet);
 }
 
 TEST(RayCrossings, OfALightInATrianglesPlaneAreUncertain) {
     const PlanePairShadow shadow = shadowOf({{{-9, 1, -9}, {9, 1, -9}, {0, 1, 9}}, {0, 1, 2}});
     const NearClipVolume pyramid{{{{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}}}, {0, 1, 0, 1}};
-    const Touched touched = capsTouching(pyramid, shadow.clusters[0], shadow);
-    EXPECT_EQ(evennessOf(pyramid, touched.caps, shadow, dotRounding(23)), Evenness::uncertain);
+    Touched touched = touching(pyramid, shadow.clusters[0], shadow);
+    EXPECT_EQ(evennessOf(ClipVolumeFaces(pyramid), touched, shadow, dotRounding(23)),
+              Evenness::uncertain);
     EXPECT_FALSE(crossingsFromSomePoint(pyramid, touched.caps, shadow, dotRounding(23)));
 }
 
@@ -123,7 +135,7 @@ TEST(RayCrossings, TooManyTrianglesAreNotCounted) {
     std::size_t touched = 0;
     bool tooMany = false;
     for (const ShadowCluster& cluster : shadow.clusters) {
-        const Touched of = capsTouching(pyramid, cluster, shadow, 100);
+        const Touched of = touching(pyramid, cluster, shadow, 100);
         touched += of.caps.size();
         tooMany = tooMany || of.tooMany;
     }

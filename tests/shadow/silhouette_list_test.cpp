@@ -1,5 +1,6 @@
 // Lists of potential silhouettes (docs/method.md, C24): a record that is left out must have
 // multiplicity 0 for every light of the ball.
+#include "src/shadow/silhouette/plane_lanes.hpp"
 #include "src/shadow/silhouette/potential_silhouettes.hpp"
 #include "src/shadow/silhouette/silhouette_list.hpp"
 
@@ -23,6 +24,14 @@ SilhouetteList listFor(const PlanePairShadow& shadow, const LightBall& ball,
     SilhouetteList proposal;
     listSilhouettes(shadow, LightFacings(shadow), ball, mantissaBits, proposal);
     return proposal;
+}
+
+/// The planes of a list's uncertain pairs.
+PlaneLanes planesOf(const PlanePairShadow& shadow, const SilhouetteList& list) {
+    PlaneLanes planes;
+    std::vector<std::uint8_t> taken;
+    planes.gather(shadow, list.uncertain, taken);
+    return planes;
 }
 
 /// A ball around or near the casters. Its centre is often on planes, edges and vertices, or a few
@@ -119,11 +128,12 @@ TEST(SilhouetteList, LeavesOutNoSilhouetteForAnyLightOfTheBall) {
         for (int ball = 0; ball < 20; ++ball) {
             const LightBall lights = ballFor(shadow, random);
             const SilhouetteList proposal = listFor(shadow, lights);
+            const PlaneLanes planes = planesOf(shadow, proposal);
             for (int i = 0; i < 50; ++i) {
                 const glm::vec4 light = lightIn(lights, random);
                 wrong += missed(shadow, proposal, light, checked);
                 all += shadow.pairs.size();
-                if (isInSomePlane(shadow, proposal.uncertain, light, 0.0f, 23)) continue;
+                if (planes.mayHold(light, 0.0f, 23)) continue;
                 ++inNoPlane;
                 wrong +=
                     std::any_of(shadow.pairs.begin(), shadow.pairs.end(), [&](const auto& pair) {
@@ -168,7 +178,7 @@ std::size_t missedWith16Bits(std::uint64_t seed, std::size_t leftOut) {
                 const auto side1 = side(shadow.pairs[p].plane1);
                 wrong += certain[p] ? side0 == 0 || side0 + side1 != 0 : side0 != side1;
             }
-            if (isInSomePlane(shadow, proposal.uncertain, lightAt, 0.0f, 16)) continue;
+            if (planesOf(shadow, proposal).mayHold(lightAt, 0.0f, 16)) continue;
             for (const std::uint32_t p : proposal.uncertain.pairs) {
                 typename Shaders::Plane shader;
                 for (const glm::vec4& plane : {shadow.pairs[p].plane0, shadow.pairs[p].plane1})
@@ -178,6 +188,52 @@ std::size_t missedWith16Bits(std::uint64_t seed, std::size_t leftOut) {
         }
     }
     return wrong;
+}
+
+/// As PlaneLanes::mayHold(), plane by plane.
+bool mayBeInOne(const PlanePairShadow& shadow, const PairList& list, const glm::vec4& light,
+                float reach, int mantissaBits) {
+    const float share = static_cast<float>(dotRounding(mantissaBits));
+    return std::any_of(list.pairs.begin(), list.pairs.end(), [&](std::uint32_t pair) {
+        for (const glm::vec4& plane : {shadow.pairs[pair].plane0, shadow.pairs[pair].plane1}) {
+            const glm::vec4 terms = plane * light, sizes = glm::abs(terms);
+            const float side = terms.x + terms.y + terms.z + terms.w;
+            const float size = sizes.x + sizes.y + sizes.z + sizes.w;
+            if (!(std::abs(side) >
+                  reach * (1.0f + share) + dotUnderflow(mantissaBits) + share * size))
+                return true;
+        }
+        return false;
+    });
+}
+
+TEST(PlaneLanes, HoldALightWhereASinglePlaneMay) {
+    Random random(41);
+    std::size_t in = 0, beside = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const PlanePairShadow shadow = shadowOf(test::randomSoup(random, 3 + random.below(80)));
+        PairList list;
+        for (std::uint32_t pair = 0; pair < shadow.pairs.size(); ++pair)
+            if (random.below(3) == 0) list.pairs.push_back(pair);
+        SilhouetteList lists;
+        lists.uncertain = list;
+        const PlaneLanes planes = planesOf(shadow, lists);
+        for (int l = 0; l < 20; ++l) {
+            glm::vec4 light(glm::vec3(10.0 * random.inCube()), random.below(2));
+            if (random.below(10) == 0) light *= 1e38f; // overflows
+            if (random.below(10) == 0) light *= 1e-38f;
+            if (!list.pairs.empty() && random.below(3) == 0)
+                light = glm::vec4(shadow.pairs[list.pairs.front()].a, 1.0f);
+            const float reach =
+                random.below(2) ? 0.0f : static_cast<float>(random.magnitude(-6, 0));
+            const int bits = random.below(2) ? 23 : 16;
+            const bool wanted = mayBeInOne(shadow, list, light, reach, bits);
+            ASSERT_EQ(planes.mayHold(light, reach, bits), wanted) << i << ", light " << l;
+            ++(wanted ? in : beside);
+        }
+    }
+    EXPECT_GT(in, 1000u);
+    EXPECT_GT(beside, 1000u);
 }
 
 TEST(SilhouetteList, LeavesOutNoSilhouetteOnADeviceOf16Bits) {

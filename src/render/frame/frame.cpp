@@ -56,7 +56,7 @@ void Renderer::draw(GpuScene& scene, const FrameView& view, StageClock* clock,
 }
 
 void Renderer::drawSlices(GpuScene& scene, const FrameView& view, StageClock* clock) {
-    plan_ = planned(scene, view, clock);
+    planFrame(scene, view, clock);
     glViewport(0, 0, view.width, view.height);
     glDisable(GL_CULL_FACE);
     bool marked = false;
@@ -85,39 +85,45 @@ void Renderer::drawSlices(GpuScene& scene, const FrameView& view, StageClock* cl
     if (marked) restoreAlpha(scene, view);
 }
 
-FramePlan Renderer::planned(GpuScene& scene, const FrameView& view, StageClock* clock) {
+void Renderer::planFrame(GpuScene& scene, const FrameView& view, StageClock* clock) {
+    const auto groupCount = [&](std::size_t light) {
+        const ShadowTechnique* marking = markingOf(light);
+        return marking ? marking->stencils(scene, view.lights[light]) : 0;
+    };
+    const auto planCount = [&](const DepthSlice& slice, std::size_t light, std::size_t group,
+                               CountPlan& plan) {
+        markingOf(light)->plan(scene, castersOf(view, slice, light, group), plan);
+    };
+    const auto mayList = [&](std::size_t light) { return mayBeListed(view, light); };
     FrameTask task{.view = view,
                    .open = gl::scissored(view.width, view.height),
                    .ownStencil = coarse_.has_value(),
                    .ambientApart = sum_.full && !sum_.replaces,
-                   .groupCount =
-                       [&](std::size_t light) {
-                           const ShadowTechnique* marking = markingOf(light);
-                           return marking ? marking->stencils(scene, view.lights[light]) : 0;
-                       },
-                   .planCount =
-                       [&](const DepthSlice& slice, std::size_t light, std::size_t group) {
-                           return markingOf(light)->plan(scene,
-                                                         castersOf(view, slice, light, group));
-                       }};
+                   .groupCount = groupCount,
+                   .planCount = planCount};
     if (!techniques_.any(&ShadowTechnique::marksEverywhere))
         task.open = intersection(task.open, visiblePixels(view));
     if constexpr (listsLights)
         if (table_) {
-            task.mayBeListed = [&](std::size_t light) { return mayBeListed(view, light); };
+            task.mayBeListed = mayList;
             task.list = listLights;
         }
-    if (!techniques_.any(&ShadowTechnique::marksByVolumes)) return planFrame(task);
+    planFrame(task, scene, view, clock);
+}
+
+void Renderer::planFrame(const FrameTask& task, GpuScene& scene, const FrameView& view,
+                         StageClock* clock) {
+    if (!techniques_.any(&ShadowTechnique::marksByVolumes))
+        return edgeshade::planFrame(task, plan_);
     if (clock && clock->wantsSilhouette()) {
         const StageScope stage(clock, FrameStage::silhouette);
-        const FramePlan plan = planFrame(task);
-        prepare(plan, scene, view);
-        countInOnePixel(plan, scene, view);
+        edgeshade::planFrame(task, plan_);
+        prepare(plan_, scene, view);
+        countInOnePixel(plan_, scene, view);
     }
     const StageScope stage(clock, FrameStage::volumes);
-    FramePlan plan = planFrame(task);
-    prepare(plan, scene, view);
-    return plan;
+    edgeshade::planFrame(task, plan_);
+    prepare(plan_, scene, view);
 }
 
 CasterGroupInSlice Renderer::castersOf(const FrameView& view, const DepthSlice& slice,

@@ -145,8 +145,10 @@ class Renderer {
     /// Creates what the sum needs, and binds its target.
     void prepareSum(const GpuScene& scene, const FrameView& view);
     void drawSlices(GpuScene& scene, const FrameView& view, StageClock* clock);
-    /// Plans the frame, and uploads the records that it draws.
-    FramePlan planned(GpuScene& scene, const FrameView& view, StageClock* clock);
+    /// Plans the frame into plan_, and uploads the records that it draws.
+    void planFrame(GpuScene& scene, const FrameView& view, StageClock* clock);
+    void planFrame(const FrameTask& task, GpuScene& scene, const FrameView& view,
+                   StageClock* clock);
     CasterGroupInSlice castersOf(const FrameView& view, const DepthSlice& slice, std::size_t light,
                                  std::size_t group) const;
     /// Calls use(technique, plan, casters) for every stencil of a frame.

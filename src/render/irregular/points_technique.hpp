@@ -12,10 +12,9 @@ class PointsTechnique : public ShadowTechnique {
 
     void beginSlice() override { pass_.forgetSurfaces(); }
     std::size_t stencils(const GpuScene&, const FrameLight&) const override { return 1; }
-    CountPlan plan(const GpuScene&, const CasterGroupInSlice&) override {
-        CountPlan plan;
+    void plan(const GpuScene&, const CasterGroupInSlice&, CountPlan& plan) override {
+        plan.clear();
         plan.byPoints = true;
-        return plan;
     }
     std::size_t mark(const MarkTask& task) override {
         const CasterGroupInSlice& of = task.casters;

@@ -49,8 +49,9 @@ class ShadowTechnique {
 
     /// Number of stencils that a light takes, one for each group of casters; 0: it marks none.
     virtual std::size_t stencils(const GpuScene&, const FrameLight&) const { return 0; }
-    /// Plans the draws into one of them. Uploads nothing.
-    virtual CountPlan plan(const GpuScene&, const CasterGroupInSlice&) { return {}; }
+    /// Plans the draws into one of them, into an earlier plan, whose memory it may reuse. Uploads
+    /// nothing.
+    virtual void plan(const GpuScene&, const CasterGroupInSlice&, CountPlan& plan) { plan.clear(); }
     /// Uploads the records that the plan draws, and makes its programs, if they are missing.
     virtual void prepare(const CountPlan&, GpuScene&, const CasterGroupInSlice&) {}
     /// Marks shadow in a stencil that was cleared to the plan's start: it is not 0 there. Colour

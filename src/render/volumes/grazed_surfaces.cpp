@@ -27,6 +27,12 @@ std::array<glm::vec3, 3> cornersOf(const Geometry& geometry, std::size_t triangl
     return {corner(0), corner(1), corner(2)};
 }
 
+/// Whether the triangle has an area in doubles. Others have no contact (contactOf()).
+bool hasArea(const std::array<glm::vec3, 3>& corners) {
+    const glm::dvec3 a(corners[0]), b(corners[1]), c(corners[2]);
+    return glm::length(glm::cross(b - a, c - a)) > 0.0;
+}
+
 } // namespace
 
 const GrazedSurfaces::Triangles& GrazedSurfaces::trianglesOf(const GpuBatch& batch) {
@@ -36,23 +42,28 @@ const GrazedSurfaces::Triangles& GrazedSurfaces::trianglesOf(const GpuBatch& bat
     triangles.used = true;
     if (!isNew) return triangles;
     triangles.geometry = batch.geometry;
-    const std::size_t count = geometry.indices.size() / 3;
-    triangles.planes.reserve(count);
-    triangles.smooth.assign(count, 0);
-    for (std::size_t t = 0; t < count; ++t) {
+    std::vector<std::uint32_t> flat;
+    std::vector<glm::vec4> planes; // by triangle
+    for (std::uint32_t t = 0; t < geometry.indices.size() / 3; ++t) {
         const auto corners = cornersOf(geometry, t);
         const glm::vec3 across = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
         const float size = glm::length(across);
         const glm::vec3 normal = size > 0.0f ? across / size : glm::vec3(0.0f);
-        triangles.planes.emplace_back(normal, -glm::dot(normal, corners[0]));
+        planes.emplace_back(normal, -glm::dot(normal, corners[0]));
+        bool smooth = false;
         for (std::size_t c = 0; c < 3; ++c) {
             const std::uint32_t vertex = geometry.indices[3 * t + c];
-            if (!geometry.normals.empty() && glm::dot(normal, geometry.normals[vertex]) < parallel)
-                triangles.smooth[t] = 1;
+            smooth = smooth || (!geometry.normals.empty() &&
+                                glm::dot(normal, geometry.normals[vertex]) < parallel);
             triangles.box.add(corners[c]);
             triangles.farthest = std::max(triangles.farthest, glm::length(corners[c]));
         }
+        if (hasArea(corners)) (smooth ? triangles.order : flat).push_back(t);
     }
+    triangles.smooth = triangles.order.size();
+    triangles.order.insert(triangles.order.end(), flat.begin(), flat.end());
+    for (const std::uint32_t t : triangles.order)
+        triangles.planes.add(planes[t]);
     return triangles;
 }
 
@@ -64,16 +75,12 @@ void GrazedSurfaces::find(const Triangles& triangles, Grazed& grazed) {
     const float most =
         reach * (static_cast<float>(LightContact::grazingSine) * 1.01f + planeRounding);
     std::vector<glm::vec3> corners;
-    for (std::size_t t = 0; t < triangles.planes.size(); ++t) {
-        const glm::vec4& plane = triangles.planes[t];
-        const float height =
-            plane.x * place.x + plane.y * place.y + plane.z * place.z + plane.w * light.w;
-        if (!(std::abs(height) <= most) || (grazed.smoothAlone && triangles.smooth[t] == 0))
-            continue;
-        const auto at = cornersOf(*triangles.geometry, t);
+    const std::size_t end = grazed.smoothAlone ? triangles.smooth : triangles.order.size();
+    triangles.planes.forNear(light, most, end, [&](std::size_t i) {
+        const auto at = cornersOf(*triangles.geometry, triangles.order[i]);
         if (contactOf({at[0], at[1], at[2]}, grazed.light).grazes)
             corners.insert(corners.end(), at.begin(), at.end());
-    }
+    });
     grazed.count = static_cast<int>(corners.size());
     if (grazed.count > 0) grazed.corners = gl::vertexBuffer<glm::vec3>(corners);
 }

@@ -2,6 +2,7 @@
 
 #include "src/gl/program.hpp"
 #include "src/scene/gpu_scene.hpp"
+#include "src/shadow/geometry/plane_columns.hpp"
 #include "src/shadow/lights/light.hpp"
 #include "src/shadow/view/frame_view.hpp"
 
@@ -24,13 +25,15 @@ class GrazedSurfaces {
               std::size_t index);
 
   private:
-    /// A geometry's data by triangle.
+    /// A geometry's triangles.
     struct Triangles {
-        CopyOnWrite<Geometry> geometry;   ///< shared, so that nobody edits it in place
-        std::vector<glm::vec4> planes;    ///< unit normal and offset; 0 for triangles without area
-        std::vector<std::uint8_t> smooth; ///< 1: some vertex has another normal
-        Box box;                          ///< around all positions
-        float farthest = 0.0f;            ///< greatest distance of a position from the origin
+        CopyOnWrite<Geometry> geometry; ///< shared, so that nobody edits it in place
+        /// Indices of triangles with an area: first those of which some vertex has another normal.
+        std::vector<std::uint32_t> order;
+        std::size_t smooth = 0; ///< number of these
+        PlaneColumns planes;    ///< in that order; 0 if the area is 0 in floats
+        Box box;                ///< around all positions
+        float farthest = 0.0f;  ///< greatest distance of a position from the origin
         bool used = true;
     };
     /// The grazed triangles of a batch for one light.

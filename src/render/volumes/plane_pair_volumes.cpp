@@ -140,17 +140,20 @@ void PlanePairVolumes::beginFrame(const GpuScene& scene) {
     gathered_.dropExpired();
 }
 
-CountPlan PlanePairVolumes::plan(const GpuScene& scene, const CasterGroupInSlice& casters) {
-    std::vector<PlacedShadow> placed;
+void PlanePairVolumes::plan(const GpuScene& scene, const CasterGroupInSlice& casters,
+                            CountPlan& plan) {
+    placed_.clear();
     for (std::size_t i = 0; i < scene.batches.size(); ++i) {
         if (!casters.counts(scene.batches[i])) continue;
         const BatchVolumes& volumes = scene.volumesOf(i, casters.source(), layout(), casters.group);
-        placed.push_back({i, volumes.planePairs->shadow(), scene.batches[i].worldFromBatch});
+        placed_.push_back({i, volumes.planePairs->shadow(), scene.batches[i].worldFromBatch});
     }
     PlanSettings planning = planning_;
     planning.silhouettes = silhouettes_ ? &*silhouettes_ : nullptr;
     planning.solids = &solids_;
-    return planCount(placed, scene.materials, casters.view, casters.slice, casters.light, planning);
+    planning.memory = &memory_;
+    planCount(placed_, scene.materials, casters.view, casters.slice, casters.light, planning, plan);
+    placed_.clear(); // it holds records, which others may replace
 }
 
 void PlanePairVolumes::prepare(const CountPlan& plan, GpuScene& scene,

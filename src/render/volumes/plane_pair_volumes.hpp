@@ -48,7 +48,7 @@ class PlanePairVolumes : public VolumeRenderer {
                      std::optional<VolumeTints> tints = {}, std::vector<std::string> defines = {});
 
     void beginFrame(const GpuScene& scene) override;
-    CountPlan plan(const GpuScene& scene, const CasterGroupInSlice& casters) override;
+    void plan(const GpuScene& scene, const CasterGroupInSlice& casters, CountPlan& plan) override;
     void prepare(const CountPlan& plan, GpuScene& scene,
                  const CasterGroupInSlice& casters) override;
     void draw(const VolumeDraw& draw, const DrawnBatch& batch) const override;
@@ -77,11 +77,13 @@ class PlanePairVolumes : public VolumeRenderer {
                         CapFaces faces, bool alphaTested) const;
 
     std::optional<gl::Instancing> instancing_;
-    PlanSettings planning_; ///< except the silhouettes and solids below
+    PlanSettings planning_; ///< except the silhouettes, solids and memory below
     std::optional<VolumeTints> tints_;
     std::vector<std::string> defines_;
     std::optional<PotentialSilhouettes> silhouettes_;
     KeptSolids solids_;
+    PlanMemory memory_;
+    std::vector<PlacedShadow> placed_; ///< of the plan that is made
     SilhouetteBuffers gathered_;
     gl::Buffer quadCorners_;     ///< instanced: 0..3
     gl::Buffer capCorners_;      ///< instanced: 0..5

@@ -3,14 +3,16 @@
 namespace edgeshade {
 
 void SilhouetteBuffers::upload(const PlanePairShadow& shadow, const SilhouetteList& list) {
-    if (gathered_.contains(list.identity)) return;
+    Gathered& gathered = gathered_[list.identity];
+    if (gathered.version == list.version) return;
     const auto uploaded = [&](const PairList& some) {
         gatherPairs(shadow, some, pairs_);
         return uploadPairs(pairs_, layout_);
     };
-    Gathered& gathered = gathered_[list.identity];
+    gathered.caps.clear();
     gathered.certainPairs = uploaded(list.certain);
     gathered.uncertainPairs = uploaded(list.uncertain);
+    gathered.version = list.version;
 }
 
 void SilhouetteBuffers::uploadCapsOf(const PlanePairShadow& shadow, const SilhouetteList& list,

@@ -9,11 +9,12 @@
 namespace edgeshade {
 
 /// The records of potential silhouettes on the GPU, in the layout of PlanePairBuffers. They are
-/// dropped with their lists (SilhouetteList::identity).
+/// dropped with their lists (SilhouetteList::identity), and replaced by later versions.
 class SilhouetteBuffers {
   public:
     /// The records of one list.
     struct Gathered {
+        std::size_t version = 0;                  ///< the list's
         gl::Buffer certainPairs, uncertainPairs;  ///< in the order of their lists
         std::map<std::uint32_t, CapBuffers> caps; ///< by cluster: the caps that may face the light
     };

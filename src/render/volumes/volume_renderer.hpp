@@ -44,8 +44,10 @@ class VolumeRenderer {
     /// Lights move from frame to frame, never within one.
     virtual void beginFrame(const GpuScene&) {}
 
-    /// Plans the draws for the casters. Uploads nothing.
-    virtual CountPlan plan(const GpuScene& scene, const CasterGroupInSlice& casters) = 0;
+    /// Plans the draws for the casters, into an earlier plan, whose memory it may reuse. Uploads
+    /// nothing.
+    virtual void plan(const GpuScene& scene, const CasterGroupInSlice& casters,
+                      CountPlan& plan) = 0;
 
     /// Uploads the records that the plan draws, and makes its programs, if they are missing.
     virtual void prepare(const CountPlan& plan, GpuScene& scene,

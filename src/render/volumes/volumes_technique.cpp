@@ -44,8 +44,9 @@ std::size_t VolumesTechnique::stencils(const GpuScene& scene, const FrameLight& 
     return scene.groupCount(light, volumes_->layout());
 }
 
-CountPlan VolumesTechnique::plan(const GpuScene& scene, const CasterGroupInSlice& casters) {
-    return volumes_->plan(scene, casters);
+void VolumesTechnique::plan(const GpuScene& scene, const CasterGroupInSlice& casters,
+                            CountPlan& plan) {
+    volumes_->plan(scene, casters, plan);
 }
 
 void VolumesTechnique::prepare(const CountPlan& plan, GpuScene& scene,

@@ -21,7 +21,7 @@ class VolumesTechnique : public ShadowTechnique {
 
     void beginFrame(const FrameStart& start) override;
     std::size_t stencils(const GpuScene& scene, const FrameLight& light) const override;
-    CountPlan plan(const GpuScene& scene, const CasterGroupInSlice& casters) override;
+    void plan(const GpuScene& scene, const CasterGroupInSlice& casters, CountPlan& plan) override;
     void prepare(const CountPlan& plan, GpuScene& scene,
                  const CasterGroupInSlice& casters) override;
     std::size_t mark(const MarkTask& task) override;

@@ -47,16 +47,16 @@ TriangleVolumes::TriangleVolumes(BruteForceCount count, SidesLayout layout,
     corners_ = gl::vertexBuffer<glm::vec2>(corners);
 }
 
-CountPlan TriangleVolumes::plan(const GpuScene& scene, const CasterGroupInSlice& casters) {
+void TriangleVolumes::plan(const GpuScene& scene, const CasterGroupInSlice& casters,
+                           CountPlan& plan) {
     TriangleCount count{.zFail = count_ == BruteForceCount::zFail || !isClearOfNearPlane(casters),
                         .directional = casters.source().light.position.w == 0.0};
-    return planCornerRecords(scene, casters, layout(),
-                             [&](const ShadowBuffers& records, std::size_t batch, std::size_t index,
-                                 std::vector<VolumeDraw>& draws) {
-                                 count.nearDiscard = casters.view.mayMeetNear(batch, casters.slice);
-                                 appendTriangleDraws(records.groups, index, count, scene.materials,
-                                                     draws);
-                             });
+    planCornerRecords(scene, casters, layout(), plan,
+                      [&](const ShadowBuffers& records, std::size_t batch, std::size_t index,
+                          std::vector<VolumeDraw>& draws) {
+                          count.nearDiscard = casters.view.mayMeetNear(batch, casters.slice);
+                          appendTriangleDraws(records.groups, index, count, scene.materials, draws);
+                      });
 }
 
 TriangleVolumes::Variant TriangleVolumes::variantOf(const VolumeDraw& draw, const BatchPlan& plan) {

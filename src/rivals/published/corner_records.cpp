@@ -19,18 +19,17 @@ const ShadowBuffers& cornerRecordsOf(const BatchVolumes& volumes, VolumeLayout l
     return static_cast<const ShadowBuffers&>(*volumes.recordsOf(layout));
 }
 
-CountPlan planCornerRecords(const GpuScene& scene, const CasterGroupInSlice& casters,
-                            VolumeLayout layout,
-                            const std::function<void(const ShadowBuffers&, std::size_t, std::size_t,
-                                                     std::vector<VolumeDraw>&)>& append) {
-    CountPlan plan;
+void planCornerRecords(const GpuScene& scene, const CasterGroupInSlice& casters,
+                       VolumeLayout layout, CountPlan& plan,
+                       const std::function<void(const ShadowBuffers&, std::size_t, std::size_t,
+                                                std::vector<VolumeDraw>&)>& append) {
+    plan.clear();
     for (std::size_t i = 0; i < scene.batches.size(); ++i) {
         if (!casters.counts(scene.batches[i])) continue;
         plan.batches.push_back(batchPlan(scene.batches[i], i, casters.source().light));
         const BatchVolumes& volumes = scene.volumesOf(i, casters.source(), layout, casters.group);
         append(cornerRecordsOf(volumes, layout), i, plan.batches.size() - 1, plan.draws.once);
     }
-    return plan;
 }
 
 } // namespace edgeshade

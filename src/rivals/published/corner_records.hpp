@@ -10,10 +10,10 @@ namespace edgeshade {
 /// A batch's records in a layout that holds triangles by their corners.
 const ShadowBuffers& cornerRecordsOf(const BatchVolumes& volumes, VolumeLayout layout);
 
-/// The plan of such a layout. `append` adds the draws of one batch's records; it takes the batch's
-/// index in the scene and in the plan.
-CountPlan planCornerRecords(
-    const GpuScene& scene, const CasterGroupInSlice& casters, VolumeLayout layout,
+/// Fills in the plan of such a layout, and reuses its memory. `append` adds the draws of one
+/// batch's records; it takes the batch's index in the scene and in the plan.
+void planCornerRecords(
+    const GpuScene& scene, const CasterGroupInSlice& casters, VolumeLayout layout, CountPlan& plan,
     const std::function<void(const ShadowBuffers& records, std::size_t batch, std::size_t index,
                              std::vector<VolumeDraw>& draws)>& append);
 

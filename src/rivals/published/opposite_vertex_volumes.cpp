@@ -23,15 +23,15 @@ OppositeVertexVolumes::OppositeVertexVolumes(MultiplicityMethod method, SidesLay
     }
 }
 
-CountPlan OppositeVertexVolumes::plan(const GpuScene& scene, const CasterGroupInSlice& casters) {
-    return planCornerRecords(scene, casters, layout(),
-                             [&](const ShadowBuffers& records, std::size_t batch, std::size_t index,
-                                 std::vector<VolumeDraw>& draws) {
-                                 const bool nearDiscard =
-                                     casters.view.mayMeetNear(batch, casters.slice);
-                                 appendOppositeVertexDraws(records.records(), index, nearDiscard,
-                                                           scene.materials, draws);
-                             });
+void OppositeVertexVolumes::plan(const GpuScene& scene, const CasterGroupInSlice& casters,
+                                 CountPlan& plan) {
+    planCornerRecords(scene, casters, layout(), plan,
+                      [&](const ShadowBuffers& records, std::size_t batch, std::size_t index,
+                          std::vector<VolumeDraw>& draws) {
+                          const bool nearDiscard = casters.view.mayMeetNear(batch, casters.slice);
+                          appendOppositeVertexDraws(records.records(), index, nearDiscard,
+                                                    scene.materials, draws);
+                      });
 }
 
 void OppositeVertexVolumes::prepare(const CountPlan& plan, GpuScene& scene,

@@ -14,7 +14,7 @@ class OppositeVertexVolumes : public VolumeRenderer {
                           std::optional<gl::Instancing> instancing,
                           std::optional<VolumeTints> tints = {});
 
-    CountPlan plan(const GpuScene& scene, const CasterGroupInSlice& casters) override;
+    void plan(const GpuScene& scene, const CasterGroupInSlice& casters, CountPlan& plan) override;
     void prepare(const CountPlan& plan, GpuScene& scene,
                  const CasterGroupInSlice& casters) override;
     void draw(const VolumeDraw& draw, const DrawnBatch& batch) const override;

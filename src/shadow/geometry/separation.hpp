@@ -23,7 +23,10 @@ bool areApart(const NearClipVolume& volume, const std::array<glm::dvec3, 3>& tri
 /// A volume's faces, for a quick test that settles most cases before areApart().
 class ClipVolumeFaces {
   public:
+    /// `volume` must outlive them.
     explicit ClipVolumeFaces(const NearClipVolume& volume);
+
+    const NearClipVolume& volume() const { return volume_; }
 
     /// Whether a face, or the triangle's own plane, separates the triangle from the volume by more
     /// than rounding.

@@ -33,15 +33,16 @@ glm::dmat4 coneFromWorld(const Light& spot) {
     return coneFrom;
 }
 
-std::vector<glm::dvec4> planesAround(const Light& spot) {
+ConePlanes planesAround(const Light& spot) {
     const glm::dvec3& axis = spot.cone->axis;
     const auto across = axesAlong(axis);
     const double angle = widened(*spot.cone);
-    std::vector<glm::dvec4> planes = {{axis, -glm::dot(axis, glm::dvec3(spot.position))}};
+    ConePlanes planes;
+    planes.push_back({axis, -glm::dot(axis, glm::dvec3(spot.position))});
     for (int side = 0; side < sides; ++side) {
         const glm::dvec3 inside =
             std::sin(angle) * axis - std::cos(angle) * towardsSide(across, side);
-        planes.emplace_back(inside, -glm::dot(inside, glm::dvec3(spot.position)));
+        planes.push_back(glm::dvec4(inside, -glm::dot(inside, glm::dvec3(spot.position))));
     }
     return planes;
 }

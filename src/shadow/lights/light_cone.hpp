@@ -1,10 +1,10 @@
 #pragma once
 
 #include "preprocess/base/box.hpp"
+#include "preprocess/base/inline_vector.hpp"
 #include "src/shadow/lights/light.hpp"
 
 #include <array>
-#include <vector>
 
 namespace edgeshade {
 
@@ -14,9 +14,12 @@ namespace edgeshade {
 /// length(xy) < tan(outer) z.
 glm::dmat4 coneFromWorld(const Light& spot);
 
+/// Some planes around a cone.
+using ConePlanes = InlineVector<glm::dvec4, 9>;
+
 /// Planes through the light around its cone, in the world: lit points have dot(plane, (p, 1)) >= 0
 /// for all of them.
-std::vector<glm::dvec4> planesAround(const Light& spot);
+ConePlanes planesAround(const Light& spot);
 
 /// A ball, in the world.
 struct Ball {

@@ -78,14 +78,19 @@ std::array<glm::dvec3, 2> rectangleAxes(const glm::dvec3& direction) {
 }
 
 std::vector<Light> lightPoints(const Light& light, std::size_t count) {
+    std::vector<Light> points;
+    findLightPoints(light, count, points);
+    return points;
+}
+
+void findLightPoints(const Light& light, std::size_t count, std::vector<Light>& points) {
     Light like = light;
     like.extent.reset();
     if (light.extent->shape == LightExtent::Shape::rectangle && !like.cone)
         like.cone = Cone{light.extent->direction, 0.0, std::numbers::pi / 2.0};
-    std::vector<Light> points;
+    points.clear();
     for (std::uint64_t n = 0; n < count; ++n)
         points.push_back(like.at(pointOf(light, n)));
-    return points;
 }
 
 LightRegion regionOf(const Light& light) {

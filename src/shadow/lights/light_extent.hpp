@@ -20,6 +20,7 @@ inline constexpr std::size_t mostLightPoints = 4096;
 /// conditions of LightExtent. Points of a rectangle shine to one side: as spots, unless the light
 /// is one.
 std::vector<Light> lightPoints(const Light& light, std::size_t count);
+void findLightPoints(const Light& light, std::size_t count, std::vector<Light>& points);
 
 /// Unit vectors across and up a rectangle that faces `direction`, with its width level.
 std::array<glm::dvec3, 2> rectangleAxes(const glm::dvec3& direction);

@@ -15,11 +15,19 @@ struct BatchPlan {
     glm::vec4 eye{0.0f};   ///< in the batch's space, homogeneous
     float reach = 0.0f;    ///< ContactCaps::reach
     std::shared_ptr<const PlanePairShadow> shadow = nullptr;
-    VolumePlan volumes = {};           ///< which clusters are drawn or left out, how and why
-    std::vector<glm::dvec4> ends = {}; ///< planes where volumes may end: PlanView::ends
+    VolumePlan volumes = {}; ///< which clusters are drawn or left out, how and why
+    EndPlanes ends = {};     ///< planes where volumes may end: PlanView::ends
     /// The list that draws take their pairs from; null: they take all pairs, or nothing is drawn.
     /// Valid until the next frame is planned.
     const SilhouetteList* silhouettes = nullptr;
+
+    /// Makes it as new, and keeps its memory.
+    void clear() {
+        VolumePlan kept = std::move(volumes);
+        kept.clear();
+        *this = {};
+        volumes = std::move(kept);
+    }
 };
 
 } // namespace edgeshade

@@ -13,10 +13,11 @@ bool ContactCaps::anyOf(const RecordRange& range) const {
     return first != caps.end() && *first < range.end();
 }
 
-ContactCaps contactCapsOf(const PlanePairShadow& shadow, const glm::dvec4& light,
-                          int mantissaBits) {
-    ContactCaps contacts;
-    if (light.w == 0.0) return contacts;
+void findContactCaps(const PlanePairShadow& shadow, const glm::dvec4& light, int mantissaBits,
+                     ContactCaps& contacts) {
+    contacts.caps.clear();
+    contacts.reach = 0.0f;
+    if (light.w == 0.0) return;
     double reach = 0.0;
     for (const ShadowCluster& cluster : shadow.clusters) {
         if (!mayTouch(cluster.bounds, light, mantissaBits)) continue;
@@ -37,7 +38,6 @@ ContactCaps contactCapsOf(const PlanePairShadow& shadow, const glm::dvec4& light
     contacts.reach = std::nextafter(static_cast<float>(reach), INFINITY);
     if (contacts.caps.empty()) contacts.reach = 0.0f;
     std::sort(contacts.caps.begin(), contacts.caps.end());
-    return contacts;
 }
 
 } // namespace edgeshade

@@ -17,7 +17,9 @@ struct ContactCaps {
     bool anyOf(const RecordRange& range) const;
 };
 
-/// `light`: in the batch's space. `mantissaBits`: precision of the vertex shader's floats.
-ContactCaps contactCapsOf(const PlanePairShadow& shadow, const glm::dvec4& light, int mantissaBits);
+/// Finds the contact caps; reuses the memory of `contacts`. `light`: in the batch's space.
+/// `mantissaBits`: precision of the vertex shader's floats.
+void findContactCaps(const PlanePairShadow& shadow, const glm::dvec4& light, int mantissaBits,
+                     ContactCaps& contacts);
 
 } // namespace edgeshade

@@ -3,7 +3,17 @@
 #include "src/shadow/lights/light_extent.hpp"
 #include "src/shadow/view/reached_part.hpp"
 
+#include <algorithm>
+#include <limits>
+#include <utility>
+
 namespace edgeshade {
+
+namespace {
+
+constexpr std::size_t leastDraws = 16; // that lists have room for
+
+} // namespace
 
 std::size_t CountPlan::vertexRuns() const {
     std::size_t runs = 0;
@@ -13,67 +23,116 @@ std::size_t CountPlan::vertexRuns() const {
     return runs;
 }
 
+void CountPlan::clear() {
+    batches.clear();
+    byPoints = false;
+    fullyShadowed = false;
+    start = {};
+    for (auto* list : {&draws.twice, &draws.once}) {
+        // Room for more of them in later frames.
+        const std::size_t known = list->size();
+        list->clear();
+        if (list->capacity() < std::max(2 * known, leastDraws))
+            list->reserve(4 * known + leastDraws);
+    }
+}
+
+namespace {
+
+/// Adds a caster that is left out as a whole.
+void addLeftOut(const PlacedShadow& caster, const LeftOut& leftOut, const Light& light,
+                CountPlan& plan) {
+    BatchPlan& of = plan.batches.add();
+    of.batch = caster.batch;
+    of.worldFromBatch = caster.worldFromBatch;
+    of.light = lightInObject(light, caster.worldFromBatch);
+    of.shadow = caster.shadow;
+    of.volumes.leftOut.push_back(leftOut);
+}
+
+/// Adds a caster whose view is `place`; its clusters are planned one by one.
+void addClusters(const PlacedShadow& caster, PlanView& place, const PlanSettings& settings,
+                 PlanMemory& memory, CountPlan& plan) {
+    // The view has the list for a while, and then the memory again.
+    std::swap(place.contact, memory.contact);
+    findContactCaps(*caster.shadow, place.light, settings.mantissaBits, place.contact);
+    std::span<const std::uint8_t> solids;
+    if (place.culls && settings.solids) solids = settings.solids->of(caster.shadow);
+    BatchPlan& of = plan.batches.add();
+    of.batch = caster.batch;
+    of.worldFromBatch = caster.worldFromBatch;
+    of.light = glm::vec4(place.light);
+    of.eye = glm::vec4(place.eye);
+    of.reach = place.contact.reach;
+    of.shadow = caster.shadow;
+    planClusters(*caster.shadow, place, solids, memory.clusters, of.volumes);
+    of.ends = place.ends;
+    std::swap(place.contact, memory.contact);
+    plan.start.add(of.volumes);
+    plan.fullyShadowed = plan.fullyShadowed || of.volumes.fullyShadowedBy.has_value();
+}
+
+/// The silhouettes of a batch that is drawn.
+const SilhouetteList& silhouettesOf(const BatchPlan& of, double range, const FrameView& view,
+                                    std::size_t light, PotentialSilhouettes& silhouettes) {
+    SilhouetteKey key{of.shadow, of.batch, light};
+    key.range = range;
+    key.reach = of.reach;
+    if (const auto& among = view.lights[light].among) {
+        key.light = among->light;
+        key.around = ballInObject(among->region, of.worldFromBatch);
+    }
+    return silhouettes.of(key, of.light);
+}
+
+} // namespace
+
 CountPlan planCount(const std::vector<PlacedShadow>& casters,
                     const std::vector<Material>& materials, const FrameView& view,
                     const DepthSlice& slice, std::size_t light, const PlanSettings& settings) {
-    const Light& source = view.lights[light].light;
     CountPlan plan;
-    std::vector<PlanView> places;
-    const FrameView seen = reachedPart(view, slice, source);
-    const PlanView inWorld = planView(seen, slice, source, glm::dmat4(1.0), settings.mantissaBits);
+    planCount(casters, materials, view, slice, light, settings, plan);
+    return plan;
+}
+
+void planCount(const std::vector<PlacedShadow>& casters, const std::vector<Material>& materials,
+               const FrameView& view, const DepthSlice& slice, std::size_t light,
+               const PlanSettings& settings, CountPlan& plan) {
+    PlanMemory own;
+    PlanMemory& memory = settings.memory ? *settings.memory : own;
+    const Light& source = view.lights[light].light;
+    plan.clear();
+    memory.ranges.clear();
+    findReachedPart(view, slice, source, memory.seen);
+    const PlanView inWorld =
+        planView(memory.seen, slice, source, glm::dmat4(1.0), settings.mantissaBits);
     for (const PlacedShadow& caster : casters) {
         if (const auto leftOut = leftOutWhole(*caster.shadow, caster.worldFromBatch, inWorld)) {
-            places.emplace_back();
-            BatchPlan& of = plan.batches.emplace_back();
-            of.batch = caster.batch;
-            of.worldFromBatch = caster.worldFromBatch;
-            of.light = lightInObject(source, caster.worldFromBatch);
-            of.shadow = caster.shadow;
-            of.volumes.leftOut.push_back(*leftOut);
+            memory.ranges.push_back(std::numeric_limits<double>::infinity());
+            addLeftOut(caster, *leftOut, source, plan);
             continue;
         }
-        places.push_back(
-            planView(seen, slice, source, caster.worldFromBatch, settings.mantissaBits));
-        places.back().contact =
-            contactCapsOf(*caster.shadow, places.back().light, settings.mantissaBits);
-        std::span<const std::uint8_t> solids;
-        if (view.culls && settings.solids) solids = settings.solids->of(caster.shadow);
-        plan.batches.push_back({.batch = caster.batch,
-                                .worldFromBatch = caster.worldFromBatch,
-                                .light = glm::vec4(places.back().light),
-                                .eye = glm::vec4(places.back().eye),
-                                .reach = places.back().contact.reach,
-                                .shadow = caster.shadow,
-                                .volumes = planClusters(*caster.shadow, places.back(), solids),
-                                .ends = places.back().ends});
-        plan.start.add(plan.batches.back().volumes);
-        plan.fullyShadowed =
-            plan.fullyShadowed || plan.batches.back().volumes.fullyShadowedBy.has_value();
+        PlanView place =
+            planView(memory.seen, slice, source, caster.worldFromBatch, settings.mantissaBits);
+        memory.ranges.push_back(place.range);
+        addClusters(caster, place, settings, memory, plan);
     }
     if (plan.fullyShadowed) {
         for (BatchPlan& of : plan.batches)
             mergeAlike(of.volumes);
         plan.start.setFullyShadowed();
-        return plan;
+        return;
     }
     for (std::size_t i = 0; i < plan.batches.size(); ++i) {
         BatchPlan& of = plan.batches[i];
         if (of.volumes.drawn.empty()) continue;
-        if (settings.silhouettes) {
-            SilhouetteKey key{of.shadow, of.batch, light};
-            key.range = places[i].range;
-            key.reach = of.reach;
-            if (const auto& among = view.lights[light].among) {
-                key.light = among->light;
-                key.around = ballInObject(among->region, casters[i].worldFromBatch);
-            }
-            of.silhouettes = &settings.silhouettes->of(key, of.light);
-        }
+        if (settings.silhouettes)
+            of.silhouettes =
+                &silhouettesOf(of, memory.ranges[i], view, light, *settings.silhouettes);
         mergeAlike(of.volumes);
-        appendDraws(of, i, materials, plan.draws);
+        appendDraws(of, i, materials, memory.fanned, plan.draws);
     }
     if (!plan.draws.twice.empty()) plan.start.setDoubled();
-    return plan;
 }
 
 } // namespace edgeshade

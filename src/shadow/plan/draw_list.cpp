@@ -1,5 +1,7 @@
 #include "src/shadow/plan/draw_list.hpp"
 
+#include "preprocess/base/inline_vector.hpp"
+
 namespace edgeshade {
 namespace {
 
@@ -29,9 +31,11 @@ RecordRange listedOver(const PairList& list, const RecordRange& clusters) {
 /// Builds the draws for a batch's clusters that share one plan.
 class ClusterDraws {
   public:
-    ClusterDraws(const BatchPlan& batch, std::size_t index, std::size_t choice)
+    /// `fanned` must outlive it.
+    ClusterDraws(const BatchPlan& batch, std::size_t index, std::size_t choice,
+                 std::vector<std::uint8_t>& fanned)
         : shadow_(*batch.shadow), silhouettes_(batch.silhouettes),
-          how_(batch.volumes.drawn[choice]) {
+          how_(batch.volumes.drawn[choice]), fanned_(fanned) {
         like_.batch = index;
         like_.choice = choice;
         like_.counted = how_.counted;
@@ -42,6 +46,8 @@ class ClusterDraws {
         like_.faces = !how_.backCaps   ? CapFaces::front
                       : how_.frontCaps ? CapFaces::both
                                        : CapFaces::back;
+        fanned_.clear();
+        fanned_.reserve(shadow_.clusters.size());
         for (std::uint32_t c = how_.clusters.first; c < how_.clusters.end(); ++c)
             fanned_.push_back(takesFans(c));
     }
@@ -151,8 +157,8 @@ class ClusterDraws {
     }
 
     /// The records whose sides may count `times`.
-    std::vector<SideRecords> sides(const RecordRange& clusters, Times times) const {
-        std::vector<SideRecords> taken;
+    InlineVector<SideRecords, 3> sides(const RecordRange& clusters, Times times) const {
+        InlineVector<SideRecords, 3> taken;
         const auto take = [&](Records records, const RecordRange& range) {
             if (range.count > 0) taken.push_back({records, range});
         };
@@ -199,15 +205,15 @@ class ClusterDraws {
     VolumeDraw like_; ///< the values that all draws share
     glm::vec4 end_;
     int verticesPerSide_;
-    std::vector<bool> fanned_; ///< by cluster
+    std::vector<std::uint8_t>& fanned_; ///< by cluster
 };
 
 } // namespace
 
 void appendDraws(const BatchPlan& batch, std::size_t index, const std::vector<Material>& materials,
-                 DrawList& list) {
+                 std::vector<std::uint8_t>& fanned, DrawList& list) {
     for (std::size_t i = 0; i < batch.volumes.drawn.size(); ++i) {
-        const ClusterDraws draws(batch, index, i);
+        const ClusterDraws draws(batch, index, i, fanned);
         draws.appendSides(Times::twice, list.twice);
         draws.appendFans(Times::twice, list.twice);
         draws.appendSides(Times::once, list.once);

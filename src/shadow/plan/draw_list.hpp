@@ -11,7 +11,7 @@ struct DrawList {
 };
 
 /// Turns the decisions for a batch's clusters into draws, and appends these in the clusters' order.
-/// `index`: the batch's index in the plan.
+/// `index`: the batch's index in the plan. `fanned`: scratch memory.
 ///
 /// Sides: a single record counts once. A pair counts once if one triangle of a silhouette edge
 /// casts. If both cast, it counts twice, or once where the light is in the plane of either.
@@ -20,6 +20,6 @@ struct DrawList {
 /// fewer vertices. Otherwise the casting triangles, limited to those that may face the light where
 /// these are known. Caps of single-sided casters are added where ClusterPlan::culledCaps says so.
 void appendDraws(const BatchPlan& batch, std::size_t index, const std::vector<Material>& materials,
-                 DrawList& draws);
+                 std::vector<std::uint8_t>& fanned, DrawList& draws);
 
 } // namespace edgeshade

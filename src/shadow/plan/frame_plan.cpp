@@ -5,16 +5,14 @@
 namespace edgeshade {
 namespace {
 
-LightPlan planLight(const FrameTask& task, const DepthSlice& slice, std::size_t light) {
-    LightPlan plan;
+void planLight(const FrameTask& task, const DepthSlice& slice, std::size_t light, LightPlan& plan) {
     const FrameLight& of = task.view.lights[light];
-    if (!of.drawn) return plan;
+    if (!of.drawn) return;
     plan.reach = intersection(task.open, lightReach(task.view, slice, of.light));
-    if (plan.reach.empty() || !of.shadowed) return plan;
+    if (plan.reach.empty() || !of.shadowed) return;
     const std::size_t groups = task.groupCount(light);
     for (std::size_t group = 0; group < groups; ++group)
-        plan.counts.push_back(task.planCount(slice, light, group));
-    return plan;
+        task.planCount(slice, light, group, plan.counts.add());
 }
 
 /// Puts the lights that may be listed into lists, if there are at least two.
@@ -32,6 +30,20 @@ void listTogether(const FrameTask& task, SlicePlan& plan) {
 
 } // namespace
 
+void LightPlan::clear() {
+    reach = {};
+    counts.clear();
+    listed = false;
+}
+
+void SlicePlan::clear() {
+    lights.clear();
+    reach = {};
+    first.reset();
+    withAmbient = false;
+    lists.reset();
+}
+
 StencilStart SlicePlan::start() const {
     if (!first || lights[*first].counts.empty()) return {};
     return lights[*first].counts.front().start;
@@ -39,11 +51,18 @@ StencilStart SlicePlan::start() const {
 
 FramePlan planFrame(const FrameTask& task) {
     FramePlan frame;
+    planFrame(task, frame);
+    return frame;
+}
+
+void planFrame(const FrameTask& task, FramePlan& frame) {
+    frame.slices.clear();
     const std::size_t lights = task.view.mask && !task.view.sumsMasks ? 1 : task.view.lights.size();
     for (const DepthSlice& slice : task.view.slices) {
-        SlicePlan& plan = frame.slices.emplace_back();
+        SlicePlan& plan = frame.slices.add();
         for (std::size_t i = 0; i < lights; ++i) {
-            const LightPlan& light = plan.lights.emplace_back(planLight(task, slice, i));
+            LightPlan& light = plan.lights.add();
+            planLight(task, slice, i, light);
             plan.reach = united(plan.reach, light.reach);
         }
         listTogether(task, plan);
@@ -54,7 +73,6 @@ FramePlan planFrame(const FrameTask& task) {
         }
         plan.withAmbient = plan.first && !task.view.mask && !task.ambientApart;
     }
-    return frame;
 }
 
 } // namespace edgeshade

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace edgeshade {
 namespace {
@@ -89,21 +90,32 @@ bool mayMeetRectangle(const NearClipVolume& volume, const ClipVolumeFaces& faces
     return !areApart(rectangle, triangle);
 }
 
-/// An edge, and the sign of one triangle on it.
-struct EdgeSign {
-    glm::vec3 a, b;
-    int sign;
+/// A hash of an edge's ends; equal coordinates make equal numbers.
+std::uint64_t numberOf(const glm::vec3& a, const glm::vec3& b) {
+    std::uint64_t number = 0;
+    for (const glm::vec3& end : {a, b})
+        for (glm::length_t axis = 0; axis < 3; ++axis) {
+            const float value = end[axis] + 0.0f; // -0 is 0
+            std::uint32_t bits;
+            std::memcpy(&bits, &value, sizeof(bits));
+            number = (number ^ bits) * 0x9E3779B97F4A7C15u;
+            number ^= number >> 29;
+        }
+    return number;
+}
 
-    bool before(const EdgeSign& other) const {
-        return a != other.a ? orderedBefore(a, other.a) : orderedBefore(b, other.b);
+/// An order in which equal edges are neighbours.
+struct EdgeOrder {
+    bool operator()(const EdgeSign& p, const EdgeSign& q) const {
+        if (p.number != q.number) return p.number < q.number;
+        return p.a != q.a ? orderedBefore(p.a, q.a) : orderedBefore(p.b, q.b);
     }
 };
 
 /// Whether any edge that may be within the volume has a multiplicity other than 0. Edges outside
 /// the volume are skipped: some of their triangles may be missing from the sum.
 bool anySilhouette(std::vector<EdgeSign>& edges, const NearClipVolume& volume) {
-    std::sort(edges.begin(), edges.end(),
-              [](const EdgeSign& p, const EdgeSign& q) { return p.before(q); });
+    std::sort(edges.begin(), edges.end(), EdgeOrder());
     for (std::size_t i = 0; i < edges.size();) {
         int multiplicity = 0;
         const EdgeSign& first = edges[i];
@@ -118,10 +130,10 @@ bool anySilhouette(std::vector<EdgeSign>& edges, const NearClipVolume& volume) {
 /// Calls `use` with each cap that neither its leaf's box nor `faces` separates from the volume,
 /// until `use` returns true.
 template <class Use>
-void forCapsNear(const NearClipVolume& volume, const ClipVolumeFaces& faces,
-                 const ShadowCluster& cluster, const PlanePairShadow& shadow, Use use) {
+void forCapsNear(const ClipVolumeFaces& faces, const ShadowCluster& cluster,
+                 const PlanePairShadow& shadow, Use use) {
     const auto isApart = [&](const Box& box) {
-        return faces.separate(box) || areApart(volume, box);
+        return faces.separate(box) || areApart(faces.volume(), box);
     };
     if (isApart(cluster.bounds)) return;
     for (std::uint32_t p = 0; p < cluster.leaves.count; ++p) {
@@ -135,22 +147,23 @@ void forCapsNear(const NearClipVolume& volume, const ClipVolumeFaces& faces,
 
 } // namespace
 
-Touched capsTouching(const NearClipVolume& volume, const ShadowCluster& cluster,
-                     const PlanePairShadow& shadow, std::size_t limit) {
-    Touched touched;
-    forCapsNear(volume, ClipVolumeFaces(volume), cluster, shadow, [&](std::uint32_t cap) {
+void findTouching(const ClipVolumeFaces& faces, const ShadowCluster& cluster,
+                  const PlanePairShadow& shadow, Touched& touched, std::size_t limit) {
+    touched.caps.clear();
+    touched.caps.reserve(limit + 1);
+    touched.tooMany = false;
+    forCapsNear(faces, cluster, shadow, [&](std::uint32_t cap) {
         touched.caps.push_back(cap);
         touched.tooMany = touched.caps.size() > limit;
         return touched.tooMany;
     });
-    return touched;
 }
 
-bool anyCapTouches(const NearClipVolume& volume, const ShadowCluster& cluster,
+bool anyCapTouches(const ClipVolumeFaces& faces, const ShadowCluster& cluster,
                    const PlanePairShadow& shadow) {
     bool any = false;
-    forCapsNear(volume, ClipVolumeFaces(volume), cluster, shadow, [&](std::uint32_t cap) {
-        any = !areApart(volume, cornersOf(shadow.caps[cap]));
+    forCapsNear(faces, cluster, shadow, [&](std::uint32_t cap) {
+        any = !areApart(faces.volume(), cornersOf(shadow.caps[cap]));
         return any;
     });
     return any;
@@ -176,12 +189,12 @@ std::optional<RayCrossings> crossingsFromSomePoint(const NearClipVolume& volume,
     return std::nullopt;
 }
 
-Evenness evennessOf(const NearClipVolume& volume, std::span<const std::uint32_t> touched,
-                    const PlanePairShadow& shadow, double rounding) {
-    const ClipVolumeFaces faces(volume);
-    std::vector<EdgeSign> edges;
-    edges.reserve(3 * touched.size());
-    for (const std::uint32_t i : touched) {
+Evenness evennessOf(const ClipVolumeFaces& faces, Touched& touched, const PlanePairShadow& shadow,
+                    double rounding) {
+    const NearClipVolume& volume = faces.volume();
+    touched.edges.clear();
+    touched.edges.reserve(3 * touched.caps.capacity());
+    for (const std::uint32_t i : touched.caps) {
         const CapRecord& cap = shadow.caps[i];
         if (!cap.casts()) continue;
         const std::array<glm::dvec3, 3> corners = cornersOf(cap);
@@ -192,11 +205,11 @@ Evenness evennessOf(const NearClipVolume& volume, std::span<const std::uint32_t>
         for (std::size_t e = 0; e < 3; ++e) {
             const std::size_t f = (e + 1) % 3;
             const bool forward = orderedBefore(ends[e], ends[f]);
-            edges.push_back(
-                {forward ? ends[e] : ends[f], forward ? ends[f] : ends[e], forward ? side : -side});
+            const glm::vec3 &a = forward ? ends[e] : ends[f], &b = forward ? ends[f] : ends[e];
+            touched.edges.push_back({a, b, forward ? side : -side, numberOf(a, b)});
         }
     }
-    return anySilhouette(edges, volume) ? Evenness::outlineMet : Evenness::even;
+    return anySilhouette(touched.edges, volume) ? Evenness::outlineMet : Evenness::even;
 }
 
 } // namespace edgeshade

@@ -12,16 +12,26 @@ namespace edgeshade {
 /// Number of triangles in a volume beyond which counting them costs more than it saves.
 inline constexpr std::size_t mostTouched = 512;
 
+/// An edge, and the sign of one triangle on it.
+struct EdgeSign {
+    glm::vec3 a, b;
+    int sign;
+    std::uint64_t number; ///< the same for equal edges, and usually not for others
+};
+
 /// Caps of a cluster that may meet a volume: all that do, and few others.
 struct Touched {
     std::vector<std::uint32_t> caps; ///< ascending
     bool tooMany = false;            ///< there may be more
+    std::vector<EdgeSign> edges;     ///< evennessOf()'s, kept for their memory
 };
-Touched capsTouching(const NearClipVolume& volume, const ShadowCluster& cluster,
-                     const PlanePairShadow& shadow, std::size_t limit = mostTouched);
+
+/// Finds the caps that may meet the volume with these faces; reuses the memory of `touched`.
+void findTouching(const ClipVolumeFaces& faces, const ShadowCluster& cluster,
+                  const PlanePairShadow& shadow, Touched& touched, std::size_t limit = mostTouched);
 
 /// Whether any cap may meet the volume, as precisely as areApart() can separate them.
-bool anyCapTouches(const NearClipVolume& volume, const ShadowCluster& cluster,
+bool anyCapTouches(const ClipVolumeFaces& faces, const ShadowCluster& cluster,
                    const PlanePairShadow& shadow);
 
 /// Triangles of a cluster that a segment to the light crosses, each counted with the sign of its
@@ -56,7 +66,7 @@ enum class Evenness {
 /// light, does not meet the rectangle. A silhouette whose extrusion crosses the rectangle has a
 /// part within the volume. All triangles on such an edge are touched too, so the signs of touched
 /// triangles suffice to find these edges.
-Evenness evennessOf(const NearClipVolume& volume, std::span<const std::uint32_t> touched,
-                    const PlanePairShadow& shadow, double rounding);
+Evenness evennessOf(const ClipVolumeFaces& faces, Touched& touched, const PlanePairShadow& shadow,
+                    double rounding);
 
 } // namespace edgeshade

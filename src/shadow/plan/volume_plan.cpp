@@ -2,7 +2,6 @@
 
 #include "preprocess/base/error.hpp"
 #include "src/shadow/geometry/box_plane.hpp"
-#include "src/shadow/lights/light_cone.hpp"
 #include "src/shadow/lights/light_range.hpp"
 #include "src/shadow/view/near_rectangle.hpp"
 
@@ -46,14 +45,35 @@ bool areOutside(const ShadowCluster& cluster, const PlanView& view) {
     return isOutsideOf(cluster.bounds, view.eye) && isOutsideOf(cluster.bounds, view.light);
 }
 
+/// The faces of a view's volumes, made when they are needed.
+class ViewVolumes {
+  public:
+    /// `view` must outlive it.
+    explicit ViewVolumes(const PlanView& view) : view_(view) {}
+
+    const ClipVolumeFaces& fromNear() { return made(near_, view_.fromNear); }
+    const ClipVolumeFaces& fromNearest() { return made(nearest_, view_.fromNearest); }
+    const ClipVolumeFaces& beforeNearest() { return made(before_, view_.beforeNearest); }
+
+  private:
+    static const ClipVolumeFaces& made(std::optional<ClipVolumeFaces>& faces,
+                                       const NearClipVolume& volume) {
+        if (!faces) faces.emplace(volume);
+        return *faces;
+    }
+
+    const PlanView& view_;
+    std::optional<ClipVolumeFaces> near_, nearest_, before_;
+};
+
 /// Whether the eye may see through culled backs of the cluster: whether any single-sided triangle
 /// may face away from the eye, by the shaders' dot product, and be in the picture.
 bool mayBeCulled(const ShadowCluster& cluster, const PlanePairShadow& shadow, const PlanView& view,
-                 bool solid) {
+                 ViewVolumes& volumes, bool solid) {
     if (!view.culls || cluster.singleSided == 0) return false;
     // The eye then meets a front first.
     if (solid && isOutsideOf(cluster.bounds, view.eye) &&
-        !anyCapTouches(view.beforeNearest, cluster, shadow))
+        !anyCapTouches(volumes.beforeNearest(), cluster, shadow))
         return false;
     const auto aside = [&](const glm::dvec4& plane) { return isOutside(cluster.bounds, plane); };
     if (std::any_of(view.planes.begin(), view.planes.begin() + 4, aside)) return false;
@@ -71,8 +91,10 @@ bool mayBeCulled(const ShadowCluster& cluster, const PlanePairShadow& shadow, co
 /// triangles between near rectangle and light, give their difference. Null if everything visible is
 /// in the cluster's shadow.
 std::optional<Counted> countedOf(const ShadowCluster& cluster, const PlanePairShadow& shadow,
-                                 const PlanView& view, const Touched& touched, bool culled) {
-    if (!cluster.closed || anyCapTouches(view.beforeNearest, cluster, shadow)) return Counted::all;
+                                 const PlanView& view, ViewVolumes& volumes, const Touched& touched,
+                                 bool culled) {
+    if (!cluster.closed || anyCapTouches(volumes.beforeNearest(), cluster, shadow))
+        return Counted::all;
     // There is no winding number for a light on the surface itself.
     if (view.contact.anyOf(cluster.caps)) return Counted::all;
     const Counted half = culled ? Counted::facingAway : Counted::lightFacing;
@@ -95,14 +117,14 @@ std::optional<Counted> countedOf(const ShadowCluster& cluster, const PlanePairSh
 /// Decides whether the cluster needs caps, and if not, the count at which the whole near rectangle
 /// starts.
 void decideCaps(const ShadowCluster& cluster, const PlanePairShadow& shadow, const PlanView& view,
-                const Touched& touched, ClusterPlan& draw) {
+                ViewVolumes& volumes, Touched& touched, ClusterPlan& draw) {
     draw.caps = CapsNeeded::seenThrough;
     if (cluster.alphaTested) return;
     draw.caps = CapsNeeded::no;
     if (touched.caps.empty()) return;
     draw.caps = CapsNeeded::uncertain;
     if (touched.tooMany || view.contact.reach > 0.0f) return;
-    switch (evennessOf(view.fromNear, touched.caps, shadow, view.rounding)) {
+    switch (evennessOf(volumes.fromNear(), touched, shadow, view.rounding)) {
     case Evenness::uncertain:
         return;
     case Evenness::rectangleMet:
@@ -285,49 +307,58 @@ glm::vec4 endOf(const ClusterPlan& draw, std::span<const glm::dvec4> ends) {
 
 VolumePlan planVolumes(const PlanePairShadow& shadow, const PlanView& view,
                        std::span<const std::uint8_t> solids) {
-    VolumePlan plan = planClusters(shadow, view, solids);
+    VolumePlan plan;
+    ClusterMemory memory;
+    planClusters(shadow, view, solids, memory, plan);
     mergeAlike(plan);
     return plan;
 }
 
 void mergeAlike(VolumePlan& plan) {
-    std::vector<ClusterPlan> merged;
-    for (const ClusterPlan& draw : plan.drawn) {
-        if (merged.empty() || merged.back().clusters.end() != draw.clusters.first ||
-            !merged.back().drawnLike(draw)) {
-            merged.push_back(draw);
-            continue;
+    std::size_t merged = 0;
+    for (std::size_t i = 0; i < plan.drawn.size(); ++i) {
+        const ClusterPlan draw = plan.drawn[i];
+        if (merged > 0) {
+            ClusterPlan& last = plan.drawn[merged - 1];
+            if (last.clusters.end() == draw.clusters.first && last.drawnLike(draw)) {
+                last.clusters.count += draw.clusters.count;
+                last.start += draw.start;
+                continue;
+            }
         }
-        merged.back().clusters.count += draw.clusters.count;
-        merged.back().start += draw.start;
+        plan.drawn[merged++] = draw;
     }
-    plan.drawn = std::move(merged);
+    plan.drawn.resize(merged);
 }
 
-VolumePlan planClusters(const PlanePairShadow& shadow, const PlanView& view,
-                        std::span<const std::uint8_t> solids) {
+void planClusters(const PlanePairShadow& shadow, const PlanView& view,
+                  std::span<const std::uint8_t> solids, ClusterMemory& memory, VolumePlan& plan) {
     const bool oneNear = view.fromNear.corners == view.fromNearest.corners;
-    VolumePlan plan;
+    ViewVolumes volumes(view);
+    plan.clear();
+    plan.drawn.reserve(shadow.clusters.size());
+    plan.leftOut.reserve(shadow.clusters.size());
     for (std::uint32_t i = 0; i < shadow.clusters.size(); ++i) {
         const ShadowCluster& cluster = shadow.clusters[i];
         if (const auto why = leftOutFor(cluster.bounds, view)) {
             leaveOut(plan.leftOut, i, *why);
             continue;
         }
-        const Touched touched = capsTouching(view.fromNear, cluster, shadow);
+        findTouching(volumes.fromNear(), cluster, shadow, memory.near);
+        if (!oneNear) findTouching(volumes.fromNearest(), cluster, shadow, memory.nearest);
         ClusterPlan draw;
         draw.clusters = {i, 1};
-        const bool culled = mayBeCulled(cluster, shadow, view, !solids.empty() && solids[i] != 0);
-        const auto counted =
-            countedOf(cluster, shadow, view,
-                      oneNear ? touched : capsTouching(view.fromNearest, cluster, shadow), culled);
+        const bool culled =
+            mayBeCulled(cluster, shadow, view, volumes, !solids.empty() && solids[i] != 0);
+        const auto counted = countedOf(cluster, shadow, view, volumes,
+                                       oneNear ? memory.near : memory.nearest, culled);
         if (!counted) {
-            VolumePlan shadowed;
-            shadowed.fullyShadowedBy = i;
-            return shadowed;
+            plan.clear();
+            plan.fullyShadowedBy = i;
+            return;
         }
         draw.counted = *counted;
-        decideCaps(cluster, shadow, view, touched, draw);
+        decideCaps(cluster, shadow, view, volumes, memory.near, draw);
         if (draw.zFail() && view.eye.w == 0.0) keepBeforeFarPlane(cluster, shadow, view, draw);
         if (!draw.zFail()) draw.end = endFor(cluster.bounds, view);
         const bool inView =
@@ -342,7 +373,6 @@ VolumePlan planClusters(const PlanePairShadow& shadow, const PlanView& view,
         draw.culledCaps = culled && inView;
         plan.drawn.push_back(draw);
     }
-    return plan;
 }
 
 } // namespace edgeshade

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "preprocess/base/inline_vector.hpp"
 #include "preprocess/volumes/plane_pair_data.hpp"
+#include "src/shadow/lights/light_cone.hpp"
 #include "src/shadow/plan/contact_caps.hpp"
 #include "src/shadow/plan/ray_crossings.hpp"
 #include "src/shadow/silhouette/light_facings.hpp"
@@ -73,22 +75,31 @@ struct VolumePlan {
     /// A closed cluster with the eye on one side of it and the light on the other. Everything
     /// visible is in its shadow, so nothing is drawn.
     std::optional<std::uint32_t> fullyShadowedBy;
+
+    /// Empties it, and keeps its memory.
+    void clear() {
+        drawn.clear();
+        leftOut.clear();
+        fullyShadowedBy.reset();
+    }
 };
+
+/// Some planes that volumes may end at.
+using EndPlanes = InlineVector<glm::dvec4, 7>;
 
 /// Light and view in a batch's space: everything that decides how its clusters are drawn.
 struct PlanView {
     glm::dvec4 light;
     double range = std::numeric_limits<double>::infinity(); ///< see rangeInObject()
-    std::vector<glm::dvec4> cone; ///< of a spot: planes around the space that it lights; see
-                                  ///< planesAround()
-    glm::dvec4 eye;          ///< origin of the picture's rays; at infinity (w = 0) if orthographic
-    NearClipVolume fromNear; ///< from the slice's near plane to the light
+    ConePlanes cone; ///< of a spot: planes around the space that it lights; see planesAround()
+    glm::dvec4 eye;  ///< origin of the picture's rays; at infinity (w = 0) if orthographic
+    NearClipVolume fromNear;      ///< from the slice's near plane to the light
     NearClipVolume fromNearest;   ///< from the nearest near plane to the light
     NearClipVolume beforeNearest; ///< from the nearest near plane to the eye
     ViewPlanes planes;
     /// Planes that have the eye, everything visible and the light on one side, scaled so that the
     /// light's height is 1: dot(plane, light) = 1. See pushedTo() of the shaders.
-    std::vector<glm::dvec4> ends;
+    EndPlanes ends;
     double rounding = dotRounding(23); ///< error of the shaders' dot products with the light
     ContactCaps contact;               ///< the touched caps; planView() leaves it empty
     bool culls = false;                ///< see Scene
@@ -143,9 +154,15 @@ glm::vec4 endOf(const ClusterPlan& draw, std::span<const glm::dvec4> ends);
 VolumePlan planVolumes(const PlanePairShadow& shadow, const PlanView& view,
                        std::span<const std::uint8_t> solids = {});
 
-/// As planVolumes(), with each drawn cluster by itself, for callers that decide further.
-VolumePlan planClusters(const PlanePairShadow& shadow, const PlanView& view,
-                        std::span<const std::uint8_t> solids = {});
+/// Arrays that planning uses again for the next batch.
+struct ClusterMemory {
+    Touched near, nearest;
+};
+
+/// As planVolumes(), with each drawn cluster by itself, for callers that decide further. Reuses the
+/// memory of `plan`.
+void planClusters(const PlanePairShadow& shadow, const PlanView& view,
+                  std::span<const std::uint8_t> solids, ClusterMemory& memory, VolumePlan& plan);
 
 /// Merges neighbouring clusters that are drawn alike.
 void mergeAlike(VolumePlan& plan);

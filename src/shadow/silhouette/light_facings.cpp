@@ -1,5 +1,7 @@
 #include "src/shadow/silhouette/light_facings.hpp"
 
+#include "src/shadow/silhouette/lanes.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -7,30 +9,8 @@
 namespace edgeshade {
 namespace {
 
-// The compiler's vector types: SSE, NEON or WebAssembly's SIMD from one source.
-constexpr std::size_t lanes = 4;
-using Floats = float __attribute__((vector_size(lanes * sizeof(float))));
-using Ints = std::int32_t __attribute__((vector_size(lanes * sizeof(std::int32_t))));
+using namespace silhouette;
 using SmallInts = std::int8_t __attribute__((vector_size(lanes)));
-
-Floats load(const std::vector<float>& values, std::size_t at) {
-    Floats result;
-    std::memcpy(&result, values.data() + at, sizeof(result));
-    return result;
-}
-
-Floats all(float value) {
-    return Floats{value, value, value, value};
-}
-
-Floats magnitude(Floats value) {
-    const Ints withoutSign = {0x7FFFFFFF, 0x7FFFFFFF, 0x7FFFFFFF, 0x7FFFFFFF};
-    Ints bits;
-    std::memcpy(&bits, &value, sizeof(bits));
-    bits &= withoutSign;
-    std::memcpy(&value, &bits, sizeof(value));
-    return value;
-}
 
 /// Upper bound of a unit normal's length after rounding.
 constexpr float longestNormal = 1.0f + 1e-5f;

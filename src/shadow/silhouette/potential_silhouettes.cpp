@@ -33,18 +33,34 @@ void PotentialSilhouettes::beginFrame(const std::shared_ptr<const int>& scene) {
                   [&](const auto& item) { return unused(item) || isPassed(item.second); });
 }
 
+void PotentialSilhouettes::Source::forgetRequests() {
+    while (!asked.empty())
+        spare.push_back(asked.extract(asked.begin()));
+}
+
+std::pair<std::size_t, std::size_t>
+PotentialSilhouettes::Source::firstToAsk(const Asked::key_type& request, const SilhouetteKey& key) {
+    const auto found = asked.find(request);
+    if (found != asked.end()) return found->second;
+    const std::pair first(key.batch, key.light);
+    if (spare.empty()) return asked.emplace(request, first).first->second;
+    Asked::node_type node = std::move(spare.back());
+    spare.pop_back();
+    node.key() = request;
+    node.mapped() = first;
+    return asked.insert(std::move(node)).position->second;
+}
+
 const SilhouetteList& PotentialSilhouettes::of(const SilhouetteKey& key, const glm::vec4& light) {
     const PlanePairShadow& shadow = *key.shadow;
     auto found = sources_.find(&shadow);
     if (found == sources_.end())
         found = sources_.emplace(&shadow, Source{key.shadow, LightFacings(shadow)}).first;
     Source& source = found->second;
-    if (source.lastFrame != frame_) source.asked.clear();
+    if (source.lastFrame != frame_) source.forgetRequests();
     source.lastFrame = frame_;
-    const auto [first, isNew] = source.asked.try_emplace(
-        std::pair(bitsOf(key.around ? key.around->center : light), key.range),
-        std::pair(key.batch, key.light));
-    const auto [batch, index] = first->second;
+    const auto [batch, index] =
+        source.firstToAsk({bitsOf(key.around ? key.around->center : light), key.range}, key);
     Entry& entry = entries_[{&shadow, batch, index}];
     SilhouetteList& list = entry.list;
     if (entry.lastFrame == frame_ && !key.around) return list;
@@ -55,11 +71,13 @@ const SilhouetteList& PotentialSilhouettes::of(const SilhouetteKey& key, const g
         entry.reach = key.reach;
         LightBall ball = entry.track.ball();
         ball.reach = key.reach;
-        listSilhouettes(shadow, source.facings, ball, mantissaBits_, list, key.range);
-        list.identity = std::make_shared<const int>(0);
+        listSilhouettes(shadow, source.facings, ball, mantissaBits_, list, key.range, memory_);
+        entry.uncertain.gather(shadow, list.uncertain, taken_);
+        if (!list.identity) list.identity = std::make_shared<const int>(0);
+        ++list.version;
         ++made_;
     }
-    list.lightInPlane = isInSomePlane(shadow, list.uncertain, light, key.reach, mantissaBits_);
+    list.lightInPlane = entry.uncertain.mayHold(light, key.reach, mantissaBits_);
     return list;
 }
 

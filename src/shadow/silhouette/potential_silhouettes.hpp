@@ -1,5 +1,6 @@
 #pragma once
 
+#include "src/shadow/silhouette/plane_lanes.hpp"
 #include "src/shadow/silhouette/silhouette_list.hpp"
 
 #include <array>
@@ -43,19 +44,26 @@ class PotentialSilhouettes {
     std::size_t made() const { return made_; } ///< lists built so far
 
   private:
+    /// Requests for a set of records in a frame: lights, bit for bit, with their ranges, and the
+    /// first batch and light to request them.
+    using Asked = std::map<std::pair<std::array<std::uint32_t, 4>, double>,
+                           std::pair<std::size_t, std::size_t>>;
     struct Source { ///< one for each set of records
         std::shared_ptr<const PlanePairShadow> shadow;
         LightFacings facings;
         std::size_t lastFrame = 0;
-        /// Requests in that frame: lights, bit for bit, with their ranges, and the first batch and
-        /// light to request them.
-        std::map<std::pair<std::array<std::uint32_t, 4>, double>,
-                 std::pair<std::size_t, std::size_t>>
-            asked{};
+        Asked asked{};                         ///< in that frame
+        std::vector<Asked::node_type> spare{}; ///< of earlier frames, for their memory
+
+        void forgetRequests();
+        /// The first batch and light to request it in this frame: perhaps this one.
+        std::pair<std::size_t, std::size_t> firstToAsk(const Asked::key_type& request,
+                                                       const SilhouetteKey& key);
     };
     struct Entry { ///< one for each batch and light
         LightTrack track;
         SilhouetteList list;
+        PlaneLanes uncertain; ///< planes of the list's uncertain pairs
         double range = 0.0;
         float reach = 0.0f;
         std::size_t lastFrame = 0;
@@ -65,6 +73,8 @@ class PotentialSilhouettes {
     std::shared_ptr<const int> scene_;
     std::size_t frame_ = 0;
     std::size_t made_ = 0;
+    ListMemory memory_;
+    std::vector<std::uint8_t> taken_;                  ///< by cap, for PlaneLanes
     std::map<const PlanePairShadow*, Source> sources_; ///< these keep their keys alive
     std::map<std::tuple<const PlanePairShadow*, std::size_t, std::size_t>, Entry> entries_;
 };

@@ -3,7 +3,6 @@
 #include "src/shadow/lights/light_range.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace edgeshade {
 namespace {
@@ -13,38 +12,39 @@ int facingOf(const std::vector<std::int8_t>& facings, PlaneOf plane) {
     return plane.negated() ? -facing : facing;
 }
 
-/// Whether planeSide() may be 0; evaluated in floats like LightFacings, and true on overflow.
-bool mayBeIn(const glm::vec4& plane, const glm::vec4& light, float reach, int mantissaBits) {
-    const glm::vec4 terms = plane * light;
-    const glm::vec4 sizes = glm::abs(terms);
-    const float side = terms.x + terms.y + terms.z + terms.w;
-    const float size = sizes.x + sizes.y + sizes.z + sizes.w;
-    const float share = static_cast<float>(dotRounding(mantissaBits));
-    return !(std::abs(side) > reach * (1.0f + share) + dotUnderflow(mantissaBits) + share * size);
-}
+constexpr std::uint32_t leastRoom = 64; // pairs that a list has room for, if it may get as many
 
-/// Appends to a list without a branch to mispredict: each entry is overwritten by the next unless
-/// it counts.
+/// Gathers a list in `memory`, without a branch to mispredict: each entry is overwritten by the
+/// next unless it counts.
 class Appender {
   public:
-    Appender(PairList& list, std::size_t most) : list_(list) {
-        list_.pairs.resize(most);
+    Appender(PairList& list, std::size_t most, std::vector<std::uint32_t>& memory)
+        : list_(list), memory_(memory) {
+        if (memory_.size() < most) memory_.resize(most);
         list_.ofCluster.clear();
     }
 
     void append(std::uint32_t pair, bool counts) {
-        list_.pairs[size_] = pair;
+        memory_[size_] = pair;
         size_ += counts;
+        ++offered_;
     }
     void endCluster() {
         list_.ofCluster.push_back({first_, size_ - first_});
         first_ = size_;
     }
-    void end() { list_.pairs.resize(size_); }
+    void end() {
+        // Room for lists of the light's next places, which may be longer.
+        const std::uint32_t room = offered_ / 8 + leastRoom;
+        if (list_.pairs.capacity() < std::min(offered_, std::max(size_, room)))
+            list_.pairs.reserve(std::min(offered_, std::max(size_ + size_ / 2, room)));
+        list_.pairs.assign(memory_.begin(), memory_.begin() + size_);
+    }
 
   private:
     PairList& list_;
-    std::uint32_t first_ = 0, size_ = 0;
+    std::vector<std::uint32_t>& memory_;
+    std::uint32_t first_ = 0, size_ = 0, offered_ = 0;
 };
 
 } // namespace
@@ -57,14 +57,6 @@ void gatherPairs(const PlanePairShadow& shadow, const PairList& list,
         records.push_back(shadow.pairs[pair]);
 }
 
-bool isInSomePlane(const PlanePairShadow& shadow, const PairList& list, const glm::vec4& light,
-                   float reach, int mantissaBits) {
-    return std::any_of(list.pairs.begin(), list.pairs.end(), [&](std::uint32_t pair) {
-        return mayBeIn(shadow.pairs[pair].plane0, light, reach, mantissaBits) ||
-               mayBeIn(shadow.pairs[pair].plane1, light, reach, mantissaBits);
-    });
-}
-
 std::uint32_t lightFacingCapCount(const SilhouetteList& proposal, const ShadowCluster& cluster) {
     const auto first = proposal.facings.begin() + cluster.caps.first;
     return static_cast<std::uint32_t>(
@@ -74,9 +66,16 @@ std::uint32_t lightFacingCapCount(const SilhouetteList& proposal, const ShadowCl
 void listSilhouettes(const PlanePairShadow& shadow, const LightFacings& facings,
                      const LightBall& ball, int mantissaBits, SilhouetteList& proposal,
                      double range) {
+    ListMemory memory;
+    listSilhouettes(shadow, facings, ball, mantissaBits, proposal, range, memory);
+}
+
+void listSilhouettes(const PlanePairShadow& shadow, const LightFacings& facings,
+                     const LightBall& ball, int mantissaBits, SilhouetteList& proposal,
+                     double range, ListMemory& memory) {
     facings.find(ball, mantissaBits, proposal.facings);
-    Appender certain(proposal.certain, shadow.pairs.size());
-    Appender uncertain(proposal.uncertain, shadow.pairs.size());
+    Appender certain(proposal.certain, shadow.pairs.size(), memory.certain);
+    Appender uncertain(proposal.uncertain, shadow.pairs.size(), memory.uncertain);
     const glm::dvec3 center(ball.center);
     for (const ShadowCluster& cluster : shadow.clusters) {
         const bool reached = !isBeyond(cluster.bounds, center, range + ball.radius);
@@ -92,9 +91,6 @@ void listSilhouettes(const PlanePairShadow& shadow, const LightFacings& facings,
     }
     certain.end();
     uncertain.end();
-    if (!std::isfinite(range)) return;
-    for (PairList* list : {&proposal.certain, &proposal.uncertain})
-        list->pairs.shrink_to_fit();
 }
 
 } // namespace edgeshade

@@ -22,8 +22,9 @@ struct SilhouetteList {
     PairList uncertain; ///< silhouettes for some, perhaps
     std::vector<std::int8_t> facings; ///< one per cap, see LightFacings
     bool lightInPlane = true; ///< the light may be in the plane of an uncertain pair's triangle
-    /// Identifies this list, even if a later one has the same address.
+    /// Identifies the list of a light and a batch, even if a later one has the same address.
     std::shared_ptr<const int> identity = nullptr;
+    std::size_t version = 0; ///< how often it was made again
 
     std::size_t size() const { return certain.pairs.size() + uncertain.pairs.size(); }
 };
@@ -31,12 +32,6 @@ struct SilhouetteList {
 /// Copies the listed records to `records`, which is emptied first.
 void gatherPairs(const PlanePairShadow& shadow, const PairList& list,
                  std::vector<PairRecord>& records);
-
-/// Whether the light may be in the plane of a listed triangle, or within `reach` of it, given
-/// floats of `mantissaBits` mantissa bits. If not, every listed pair whose two triangles cast has
-/// multiplicity 0 or ±2.
-bool isInSomePlane(const PlanePairShadow& shadow, const PairList& list, const glm::vec4& light,
-                   float reach, int mantissaBits);
 
 /// Number of a cluster's caps that may face the light.
 std::uint32_t lightFacingCapCount(const SilhouetteList& proposal, const ShadowCluster& cluster);
@@ -46,11 +41,20 @@ inline bool mayFaceTheLight(std::int8_t facing) {
     return facing >= 0;
 }
 
+/// Arrays that listing uses again for the next list.
+struct ListMemory {
+    std::vector<std::uint32_t> certain, uncertain;
+};
+
 /// Fills in `proposal`, and reuses its memory. `facings` must be those of the shadow. `range`: as
-/// of rangeInObject(); pairs of clusters beyond it, for all lights of the ball, are not listed and
-/// take no memory.
+/// of rangeInObject(); pairs of clusters beyond it, for all lights of the ball, are not listed.
+/// Lists have room for half as many pairs more, at least for an eighth of those that the range
+/// reaches.
 void listSilhouettes(const PlanePairShadow& shadow, const LightFacings& facings,
                      const LightBall& ball, int mantissaBits, SilhouetteList& proposal,
                      double range = std::numeric_limits<double>::infinity());
+void listSilhouettes(const PlanePairShadow& shadow, const LightFacings& facings,
+                     const LightBall& ball, int mantissaBits, SilhouetteList& proposal,
+                     double range, ListMemory& memory);
 
 } // namespace edgeshade

@@ -40,14 +40,25 @@ std::optional<glm::dvec4> cutAt(const Light& light, const Frustum& frustum, cons
     return among ? std::optional(plane) : std::nullopt;
 }
 
-std::vector<double> nearestDepthsOf(const Scene& scene, const SceneTree& tree,
-                                    const FrameView& view) {
-    std::vector<double> depths;
+void findNearestDepths(const Scene& scene, const SceneTree& tree, FrameView& view) {
     for (std::size_t i = 0; i < scene.batches.size(); ++i)
-        depths.push_back(scene.batches[i].ground && !view.ground
-                             ? DepthRange().nearest
-                             : nearestDepth(scene, tree, i, view.frustum));
-    return depths;
+        view.nearestDepths.push_back(scene.batches[i].ground && !view.ground
+                                         ? DepthRange().nearest
+                                         : nearestDepth(scene, tree, i, view.frustum));
+}
+
+/// Fills in the requested lights.
+void addLights(const FrameRequest& request, FrameView& view) {
+    view.lights.resize(request.lights.size());
+    for (std::size_t i = 0; i < view.lights.size(); ++i) {
+        const Light& light = request.lights[i];
+        FrameLight& of = view.lights[i];
+        of.clear();
+        of.light = light;
+        of.cut = cutAt(light, view.frustum, view.bounds);
+        if (light.extent && request.lightSamples > 0)
+            findLightPoints(light, request.lightSamples, of.points);
+    }
 }
 
 /// Some of a light's points, as lights.
@@ -76,23 +87,52 @@ double fittedNear(double nearest, double diagonal) {
 }
 
 std::vector<DepthSlice> divideDepth(double near, double farthest, std::optional<int> count) {
+    std::vector<DepthSlice> slices;
+    divideDepth(near, farthest, count, slices);
+    return slices;
+}
+
+void divideDepth(double near, double farthest, std::optional<int> count,
+                 std::vector<DepthSlice>& result) {
     const double ratio = std::max(1.0, farthest / near);
     const int slices =
         count ? *count
               : std::clamp(static_cast<int>(std::ceil(std::log(ratio) / std::log(slicePays))), 1,
                            mostSlices);
-    std::vector<DepthSlice> result;
+    result.clear();
     for (int i = slices - 1; i >= 0; --i) {
         DepthSlice slice;
         slice.near = near * std::pow(ratio, static_cast<double>(i) / slices);
         if (!result.empty()) slice.far = result.back().near;
         result.push_back(slice);
     }
-    return result;
+}
+
+void FrameLight::clear() {
+    std::vector<std::uint32_t> groupOf = std::move(layers.groupOf);
+    std::vector<Light> kept = std::move(points);
+    *this = {};
+    layers.groupOf = std::move(groupOf);
+    points = std::move(kept);
+    layers.groupOf.clear();
+    points.clear();
+}
+
+void FrameView::clear() {
+    std::vector<FrameLight> keptLights = std::move(lights);
+    std::vector<DepthSlice> keptSlices = std::move(slices);
+    std::vector<double> keptDepths = std::move(nearestDepths);
+    *this = {};
+    lights = std::move(keptLights);
+    slices = std::move(keptSlices);
+    nearestDepths = std::move(keptDepths);
+    lights.clear();
+    slices.clear();
+    nearestDepths.clear();
 }
 
 void FrameView::divide(std::optional<int> count) {
-    if (!frustum.orthographic) slices = divideDepth(near(), farthestDepth, count);
+    if (!frustum.orthographic) divideDepth(near(), farthestDepth, count, slices);
 }
 
 FrameView makeFrameView(const Scene& scene, bool castMasked, const FrameRequest& request) {
@@ -155,36 +195,40 @@ FrameView makeFrameView(const Scene& scene, const FrameRequest& request, const B
 
 FrameView makeFrameView(const Scene& scene, const FrameRequest& request, const Box& bounds,
                         const SceneTree& tree) {
-    requireFewLights(request.lights.size());
     FrameView view;
+    makeFrameView(scene, request, bounds, tree, view);
+    return view;
+}
+
+void makeFrameView(const Scene& scene, const FrameRequest& request, const Box& bounds,
+                   const SceneTree& tree, FrameView& view) {
+    requireFewLights(request.lights.size());
+    std::vector<FrameLight> lights = std::move(view.lights);
+    view.clear();
+    view.lights = std::move(lights);
     const Box all = boundsWithGround(scene, bounds);
     view.frustum = standingBack(request.frustum, all);
     view.width = request.width;
     view.height = request.height;
-    for (const Light& light : request.lights) {
-        view.lights.push_back({light, {}, true, cutAt(light, view.frustum, bounds)});
-        if (light.extent && request.lightSamples > 0)
-            view.lights.back().points = lightPoints(light, request.lightSamples);
-    }
     view.bounds = bounds;
     view.culls = scene.culls;
+    addLights(request, view);
     const auto& ground = tree.ground();
     view.ground = ground && request.ground && isAboveGround(view.frustum, scene.batches[*ground]);
     const VisiblePart seen = visiblePart(scene, tree, view.frustum, view.ground);
-    if (request.nearestDepths) view.nearestDepths = nearestDepthsOf(scene, tree, view);
+    if (request.nearestDepths) findNearestDepths(scene, tree, view);
     view.visible = seen.box;
     view.slopes = seen.slopes;
     view.farthestDepth = seen.depth.farthest;
     if (view.frustum.orthographic) {
         const DepthRange depth = wholeDepth(view.frustum, all);
-        view.slices = {DepthSlice{.near = depth.nearest}};
+        view.slices.push_back({.near = depth.nearest});
         view.farPlane = depth.farthest;
-        return view;
+        return;
     }
     const double near =
         request.depth.near.value_or(fittedNear(seen.depth.nearest, view.bounds.diagonal()));
-    view.slices = divideDepth(near, seen.depth.farthest, request.depth.slices);
-    return view;
+    divideDepth(near, seen.depth.farthest, request.depth.slices, view.slices);
 }
 
 } // namespace edgeshade

@@ -67,6 +67,8 @@ struct FrameLight {
     std::vector<Light> counted() const { return points.empty() ? std::vector{light} : points; }
     /// Number of groups of casters that it needs.
     std::size_t groupCount() const { return (cut ? 2 : 1) * layers.groupCount; }
+    /// Makes it as new, and keeps its memory.
+    void clear();
 };
 
 /// A frame to draw, with all that the CPU computes for it.
@@ -91,6 +93,8 @@ struct FrameView {
     bool culls = false;      ///< as in Scene
 
     double near() const { return slices.back().near; }
+    /// Makes it as new, and keeps the memory of its arrays.
+    void clear();
     /// Divides the depth range again, see divideDepth(). An orthographic picture stays undivided.
     void divide(std::optional<int> count);
     /// Whether casters of the batch may be before the slice's near plane.
@@ -116,6 +120,10 @@ FrameView makeFrameView(const Scene& scene, bool castMasked, const FrameRequest&
 FrameView makeFrameView(const Scene& scene, const FrameRequest& request, const Box& bounds,
                         const SceneTree& tree);
 
+/// The same into `view`, whose memory it reuses.
+void makeFrameView(const Scene& scene, const FrameRequest& request, const Box& bounds,
+                   const SceneTree& tree, FrameView& view);
+
 /// The same with a tree of its own, for a single frame.
 FrameView makeFrameView(const Scene& scene, const FrameRequest& request, const Box& bounds);
 
@@ -136,6 +144,8 @@ FrameView shadedByPoints(const FrameView& view);
 /// Divides [near, farthest] into slices of equal ratios, from far to near. `count`: null for as
 /// many as pay.
 std::vector<DepthSlice> divideDepth(double near, double farthest, std::optional<int> count);
+void divideDepth(double near, double farthest, std::optional<int> count,
+                 std::vector<DepthSlice>& slices);
 
 /// The farthest near plane that the visible geometry allows: just before `nearest`, at least 1e-6
 /// of `diagonal`, the size of the scene.

@@ -108,7 +108,7 @@ double reachOf(const FrameView& view, const Light& spot) {
 
 PixelRectangle spotReach(const FrameView& view, const Interval& depths, const Light& spot) {
     const auto misses = [&](const glm::dvec4& plane) { return isOutside(view.visible, plane); };
-    const std::vector<glm::dvec4> planes = planesAround(spot);
+    const ConePlanes planes = planesAround(spot);
     if (!view.visible.empty() && std::any_of(planes.begin(), planes.end(), misses)) return {};
     if (!view.visible.empty() && spot.hasRange() &&
         isBeyond(view.visible, glm::dvec3(spot.position), spot.range))

@@ -22,6 +22,13 @@ PixelRectangle widened(const PixelRectangle& reach, const FrameView& view) {
 
 FrameView reachedPart(const FrameView& view, const DepthSlice& slice, const Light& light) {
     FrameView part;
+    findReachedPart(view, slice, light, part);
+    return part;
+}
+
+void findReachedPart(const FrameView& view, const DepthSlice& slice, const Light& light,
+                     FrameView& part) {
+    part.clear();
     part.frustum = view.frustum;
     part.width = view.width;
     part.height = view.height;
@@ -32,15 +39,15 @@ FrameView reachedPart(const FrameView& view, const DepthSlice& slice, const Ligh
     part.visible = view.visible;
     part.slopes = view.slopes;
     part.culls = view.culls;
-    if (!light.hasRange() && !light.isSpot()) return part;
+    if (!light.hasRange() && !light.isSpot()) return;
     const PixelRectangle pixels = widened(lightReach(view, slice, light), view);
-    if (pixels.empty()) return part;
+    if (pixels.empty()) return;
     const glm::dvec2 size(view.width, view.height);
     const glm::dvec2 low(pixels.x, pixels.y);
     const glm::dvec2 high = low + glm::dvec2(pixels.width, pixels.height);
     part.frustum.low = view.frustum.low + view.frustum.size() * (low / size);
     part.frustum.high = view.frustum.low + view.frustum.size() * (high / size);
-    if (!light.hasRange()) return part;
+    if (!light.hasRange()) return;
     const double range = rangeWidening * light.range;
     const glm::dvec3 center(light.position);
     part.farthestDepth = std::min(view.farthestDepth, depthOf(view.frustum, center) + range);
@@ -48,7 +55,6 @@ FrameView reachedPart(const FrameView& view, const DepthSlice& slice, const Ligh
         part.visible.low = glm::max(view.visible.low, center - range);
         part.visible.high = glm::min(view.visible.high, center + range);
     }
-    return part;
 }
 
 } // namespace edgeshade

@@ -10,4 +10,8 @@ namespace edgeshade {
 /// the light. For a light that reaches everywhere it is the whole view.
 FrameView reachedPart(const FrameView& view, const DepthSlice& slice, const Light& light);
 
+/// The same into `part`, whose memory it reuses.
+void findReachedPart(const FrameView& view, const DepthSlice& slice, const Light& light,
+                     FrameView& part);
+
 } // namespace edgeshade
