@@ -186,5 +186,30 @@ TEST(WindingGrid, BoundsAreTightAwayFromEdges) {
     EXPECT_GE(full, latticeSide * latticeSide / 2);
 }
 
+TEST(WindingGrid, ASegmentTouchesNoCellOutsideOfItsRowsAndColumns) {
+    Random random(54);
+    int spans = 0, without = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const WindingGrid grid({0.0, 1.0, 0.0, 2.0}, 1 + random.below(6),
+                               random.magnitude(-15, -2));
+        glm::dvec2 from(random.uniform(-0.5, 1.5), random.uniform(-0.5, 2.5));
+        glm::dvec2 to(random.uniform(-0.5, 1.5), random.uniform(-0.5, 2.5));
+        if (random.below(3) == 0) to = from + 0.01 * (to - from);
+        if (random.below(5) == 0) to.y = from.y;
+        if (from.y > to.y) std::swap(from, to);
+        const FaceSegment segment{from, to, 1};
+        const auto cells = grid.cellsAround(segment);
+        without += cells ? 0 : 1;
+        grid.forEachSpan(segment, [&](int row, int left, int right) {
+            ++spans;
+            ASSERT_TRUE(cells) << i;
+            EXPECT_TRUE(cells->bottom <= row && row <= cells->top) << i;
+            EXPECT_TRUE(cells->left <= left && right <= cells->right) << i;
+        });
+    }
+    EXPECT_GT(spans, 1000);
+    EXPECT_GT(without, 10);
+}
+
 } // namespace
 } // namespace edgeshade

@@ -47,10 +47,25 @@ struct Crowded {
 class CrowdedPlaces {
   public:
     CrowdedPlaces(std::vector<Crowded>& cells, int side)
-        : cells_(cells), side_(side), at_(static_cast<std::size_t>(side * side), -1) {
+        : cells_(cells), side_(side), at_(static_cast<std::size_t>(side * side), -1),
+          before_(static_cast<std::size_t>((side + 1) * (side + 1)), 0) {
         for (std::size_t i = 0; i < cells.size(); ++i)
             at_[static_cast<std::size_t>(cells[i].row * side + cells[i].column)] =
                 static_cast<int>(i);
+        for (int row = 0; row < side; ++row)
+            for (int column = 0; column < side; ++column)
+                before_[corner(row + 1, column + 1)] =
+                    before_[corner(row, column + 1)] + before_[corner(row + 1, column)] -
+                    before_[corner(row, column)] +
+                    (at_[static_cast<std::size_t>(row * side + column)] >= 0 ? 1 : 0);
+    }
+
+    bool anyAmong(const WindingGrid::Cells& cells) const {
+        return before_[corner(cells.top + 1, cells.right + 1)] -
+                   before_[corner(cells.bottom, cells.right + 1)] -
+                   before_[corner(cells.top + 1, cells.left)] +
+                   before_[corner(cells.bottom, cells.left)] >
+               0;
     }
 
     /// Calls use(cell) with the crowded cells among [left, right] of a row.
@@ -63,9 +78,14 @@ class CrowdedPlaces {
     }
 
   private:
+    std::size_t corner(int row, int column) const {
+        return static_cast<std::size_t>(row * (side_ + 1) + column);
+    }
+
     std::vector<Crowded>& cells_;
     int side_;
-    std::vector<int> at_; ///< index in cells_; -1: not crowded
+    std::vector<int> at_;     ///< index in cells_; -1: not crowded
+    std::vector<int> before_; ///< by corner: number of crowded cells below and to the left of it
 };
 
 } // namespace
@@ -136,7 +156,8 @@ bool FaceBound::holds(const Part& part, int depth) {
         };
         if (cellOf[i] >= 0)
             put(cellOf[i] / side, cellOf[i] % side, cellOf[i] % side);
-        else
+        else if (const auto around = grid.cellsAround(part.segments[i]);
+                 around && places.anyAmong(*around))
             grid.forEachSpan(part.segments[i], put);
     }
     for (const FacePolygon& polygon : part.uncertain)

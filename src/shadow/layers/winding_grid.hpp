@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace edgeshade {
@@ -35,6 +36,17 @@ class WindingGrid {
     }
     Outline cell(int row, int column) const;
 
+    /// Some rows and columns of cells, each from first to last.
+    struct Cells {
+        int bottom, top, left, right;
+    };
+    /// The rows and columns of all cells that a segment may touch; null if there are none.
+    std::optional<Cells> cellsAround(const FaceSegment& segment) const {
+        const Piece piece = inCells(segment);
+        if (misses(piece)) return std::nullopt;
+        return Cells{place(piece.from.y - rounding_), place(piece.to.y + rounding_),
+                     place(piece.left - rounding_), place(piece.right + rounding_)};
+    }
     /// Calls visit(row, first column, last column) for all cells that a segment may touch.
     template <class Visit>
     void forEachSpan(const FaceSegment& segment, Visit visit) const {
