@@ -2,7 +2,7 @@
 
 import { BackSide, DoubleSide, Matrix4 } from 'three';
 import { isAlphaTested, sameAlpha, texcoordsNameOf } from './alpha-tests.js';
-import { isPosed, poseOf, sameNumbers, shapeOf, texcoordsOf, versionOf } from './mesh-shape.js';
+import { isPosed, poseOf, sameNumbers, shapeOf, texcoordsOf, versionsOf } from './mesh-shape.js';
 
 /** Up to this many triangles edges are found immediately, well within a frame. */
 const fewTriangles = 500;
@@ -20,20 +20,34 @@ const place = new Matrix4(), instance = new Matrix4();
  * all of them have one.
  */
 function roleOf(mesh, alphaTestedCast) {
+  if (!mesh.geometry?.attributes?.position) return null;
+  const { material } = mesh;
+  if (!Array.isArray(material) && material && !isAlphaTested(material)) {
+    // As below, without garbage.
+    if (!isShown(material) || (!mesh.castShadow && !mesh.receiveShadow)) return null;
+    return plainRole(Boolean(mesh.castShadow), material.side);
+  }
   const materials = materialsOf(mesh);
   const shown = materials.filter(isShown);
-  if (!mesh.geometry?.attributes?.position || shown.length === 0) return null;
+  if (shown.length === 0) return null;
   const tested = shown.every(isAlphaTested) ? shown[0] : null;
   const casts = Boolean(mesh.castShadow && (alphaTestedCast || !tested));
   if (!casts && !mesh.receiveShadow) return null;
-  const sides = materials.map(({ side }) => side);
-  return {
-    casts,
-    tested,
-    texcoords: tested ? texcoordsNameOf(tested) : null,
-    doubleSided: sides.some((side) => side === DoubleSide) || new Set(sides).size > 1,
-    inward: sides[0] === BackSide,
-  };
+  const sides = new Set(materials.map(({ side }) => side));
+  return made(casts, tested, materials[0].side, sides.size > 1);
+}
+
+/** A role and its key. */
+function made(casts, tested, side, mixed) {
+  const texcoords = tested && texcoordsNameOf(tested), inward = side === BackSide, doubleSided = mixed || side === DoubleSide;
+  return { casts, tested, texcoords, doubleSided, inward, key: `${casts} ${doubleSided} ${inward} ${texcoords}` };
+}
+
+const plainRoles = []; // by whether they cast, and side
+
+/** The role of meshes with one material without alpha test. */
+function plainRole(casts, side) {
+  return (plainRoles[2 * side + casts] ??= made(casts, null, side));
 }
 
 /** The engine's matrix for a place, or null if it flattens the mesh. */
@@ -118,16 +132,23 @@ export class Casters {
   }
 
   #followOne(mesh, role) {
-    const roleKey = `${role.casts} ${role.doubleSided} ${role.inward} ${role.texcoords}`;
     let had = this.#meshes.get(mesh);
     if (!had) this.#meshes.set(mesh, had = { key: null, ids: [], places: [], alphas: [], shown: null });
     had.casts = role.casts;
-    if (isPosed(mesh)) this.#pose(mesh, role, roleKey, had);
-    else this.#prepare(mesh, role, `${mesh.geometry.uuid} ${versionOf(mesh, role.texcoords)} ${roleKey}`, had);
+    if (isPosed(mesh)) this.#pose(mesh, role, had);
+    else this.#followShape(mesh, role, had);
     const { number: found = null, ahead } = this.#prepared.get(had.key) ?? {};
     if (found === null || ahead) return;
     this.#place(mesh, found, had);
     if (role.tested) this.#setAlpha(role.tested, had);
+  }
+
+  #followShape(mesh, role, had) {
+    const { geometry } = mesh;
+    const versions = versionsOf(mesh, role.texcoords);
+    if (had.geometry === geometry && had.roleKey === role.key && sameNumbers(had.versions, versions)) return;
+    Object.assign(had, { geometry, roleKey: role.key, versions });
+    this.#prepare(mesh, role, `${geometry.uuid} ${versions} ${role.key}`, had);
   }
 
   /** Prepares a geometry that several meshes may share. */
@@ -169,9 +190,10 @@ export class Casters {
   }
 
   /** Prepares a bent mesh, synchronously, so that shadow and picture have the same pose. */
-  #pose(mesh, role, roleKey, had) {
+  #pose(mesh, role, had) {
     const pose = poseOf(mesh);
-    const version = `${versionOf(mesh, role.texcoords)} ${roleKey}`;
+    const version = `${versionsOf(mesh, role.texcoords)} ${role.key}`;
+    had.geometry = null;
     if (had.key === mesh.uuid && had.version === version && sameNumbers(had.pose, pose)) return;
     this.#release(had.key);
     Object.assign(had, { key: mesh.uuid, version, pose });
@@ -187,6 +209,8 @@ export class Casters {
   }
 
   #place(mesh, number, had) {
+    const { elements } = mesh.matrixWorld;
+    if (had.shown === number && had.ids.length === 1 && had.world && sameNumbers(had.world, elements)) return;
     const places = number < 0 ? [] : placesOf(mesh).filter(Boolean);
     const ids = had.ids;
     while (ids.length > places.length) this.#masks.remove(ids.pop());
@@ -202,7 +226,7 @@ export class Casters {
       }
       if (!sameNumbers(had.places[i], matrix)) this.#masks.move(ids[i], matrix);
     }
-    Object.assign(had, { places, shown: number });
+    Object.assign(had, { places, shown: number, world: mesh.isInstancedMesh ? null : [...elements] });
   }
 
   /** Sets the alpha of all instances, if it has changed. */

@@ -4,21 +4,25 @@ import { Vector3 } from 'three';
 
 const vertex = new Vector3();
 
-export const sameNumbers = (a, b) => a.length === b.length && a.every((number, i) => number === b[i]);
+export function sameNumbers(a, b) {
+  if (a.length !== b.length) return false;
+  for (let i = 0; i < a.length; ++i) if (a[i] !== b[i]) return false;
+  return true;
+}
 
 /** Whether a mesh has another shape than its geometry: skinned or morphed. */
 export const isPosed = (mesh) => Boolean(mesh.isSkinnedMesh || mesh.geometry.morphAttributes.position?.length);
 
 /**
- * A version that changes with the triangles, and with the texture coordinates of that name, if
- * there is one.
+ * Versions that change with the triangles, and with the texture coordinates of that name, if there
+ * is one.
  */
-export function versionOf({ geometry }, texcoords) {
+export function versionsOf({ geometry }, texcoords) {
   const { index, attributes, drawRange } = geometry;
   const { position } = attributes;
   const dataVersion = (attribute) => attribute?.data?.version ?? attribute?.version ?? 0;
   return [position.count, dataVersion(position), index?.count, dataVersion(index), drawRange.start, drawRange.count,
-    texcoords, dataVersion(attributes[texcoords])].join();
+    texcoords, dataVersion(attributes[texcoords])];
 }
 
 /** The pose of a bent mesh: numbers, to be compared one by one. */
