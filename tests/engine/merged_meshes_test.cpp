@@ -143,6 +143,19 @@ TEST(MergedMeshes, KeepTheFrontsOfMirroredOnes) {
     EXPECT_GT(std::count(single.begin(), single.end(), 0), 500);
 }
 
+TEST(MergedMeshes, OfReceiversCastNothing) {
+    const gl::HeadlessContext context({hostWidth, hostHeight});
+    const Scene scene = box();
+    MaskMesh mesh = meshOf(geometryOf(scene));
+    mesh.casts = false;
+    Yard receivers(rows(24), mesh);
+    const auto single = receivers.drawn();
+    EXPECT_EQ(receivers.drawn(draws), single);
+    EXPECT_LE(receivers.batches(), 3u);
+    Yard casters(rows(24), meshOf(geometryOf(scene)));
+    EXPECT_GT(differing(casters.drawn(), single), 500u);
+}
+
 TEST(MergedMeshes, AreNoLargerThanTheirVerticesPrecisionAllows) {
     std::vector<MergeCandidate> candidates;
     for (std::size_t i = 0; i < 9; ++i) {
