@@ -94,10 +94,13 @@ void CasterScene::move(Id id, const Matrix16& worldFromObject) {
 void CasterScene::remove(Id id) {
     requireKnown(id);
     disturb(id);
-    put(id, nothing_);
-    gpu_->batches[id].hidden = true;
-    slots_[id] = {};
-    slots_[id].mesh = nothing_.data();
+    if (slots_[id].casts()) ++casterState_;
+    release(id);
+}
+
+void CasterScene::release(std::size_t batch) {
+    show(batch, nullptr);
+    slots_[batch] = {};
 }
 
 void CasterScene::requireKnown(Id id) const {
@@ -151,10 +154,8 @@ void CasterScene::dissolve(std::size_t merged) {
         slots_[member].changed = draws_;
         show(member, slots_[member].mesh);
     }
-    mergedTriangles_ -= slots_[merged].mesh->geometry->indices.size() / 3;
-    show(merged, nullptr);
-    slots_[merged] = {};
-    slots_[merged].mesh = nothing_.data();
+    mergedTriangles_ -= slots_[merged].mesh->triangles();
+    release(merged);
 }
 
 std::vector<MergeCandidate> CasterScene::candidates() const {
@@ -166,8 +167,8 @@ std::vector<MergeCandidate> CasterScene::candidates() const {
             continue;
         MergeCandidate& of = found.emplace_back();
         of.number = i;
-        of.material = slot.mesh->geometry->groups.front().material;
-        of.triangles = slot.mesh->geometry->indices.size() / 3;
+        of.material = slot.mesh->material();
+        of.triangles = slot.mesh->triangles();
         for (int corner = 0; corner < 8; ++corner)
             of.box.add(loaded_.scene.batches[i].worldFromBatch *
                        glm::dvec4(slot.own.corner(corner), 1.0));
@@ -198,7 +199,7 @@ void CasterScene::makeMerged(const std::vector<std::size_t>& members) {
     slot.use = Slot::Use::merged;
     slot.mesh = merged.mesh.data();
     slot.members = members;
-    mergedTriangles_ += slot.mesh->geometry->indices.size() / 3;
+    mergedTriangles_ += slot.mesh->triangles();
     loaded_.scene.batches[batch].worldFromBatch = merged.worldFromMerged;
     gpu_->batches[batch].worldFromBatch = merged.worldFromMerged;
     show(batch, slot.mesh);

@@ -95,6 +95,8 @@ class CasterScene {
     void put(std::size_t batch, const PreparedMesh& mesh);
     /// Makes the batch draw a mesh; null: nothing.
     void show(std::size_t batch, const std::shared_ptr<const PreparedMesh::Data>& mesh);
+    /// Leaves a batch, empty and hidden, to the next mesh.
+    void release(std::size_t batch);
     /// Notes that a mesh changes: it is split off, and takes longer to be merged again.
     void disturb(std::size_t batch);
     void dissolve(std::size_t merged);

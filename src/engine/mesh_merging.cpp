@@ -66,8 +66,7 @@ std::vector<std::size_t> neighbours(std::span<const MergeCandidate> candidates) 
 }
 
 bool mayMerge(const PreparedMesh::Data& mesh) {
-    const std::size_t triangles = mesh.geometry->indices.size() / 3;
-    return !mesh.alphaTested && triangles > 0 && triangles <= mostTrianglesOfMember;
+    return !mesh.alphaTested && mesh.triangles() > 0 && mesh.triangles() <= mostTrianglesOfMember;
 }
 
 MergedMesh merge(std::span<const PlacedMesh> members) {
@@ -76,7 +75,7 @@ MergedMesh merge(std::span<const PlacedMesh> members) {
     std::vector<std::uint32_t> indices;
     for (const PlacedMesh& of : members)
         append(of, origin, positions, indices);
-    const Material material = maskMaterials()[members.front().material()];
+    const Material material = maskMaterials()[members.front().mesh->material()];
     return {PreparedMesh(MaskMesh{.positions = positions,
                                   .indices = indices,
                                   .casts = material.ground == GroundMaterial::none,

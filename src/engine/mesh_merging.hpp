@@ -27,15 +27,12 @@ inline constexpr double mostSpread = 1024.0;
 struct PlacedMesh {
     std::shared_ptr<const PreparedMesh::Data> mesh;
     glm::dmat4 worldFromMesh{1.0};
-
-    /// The mesh's material, see maskMaterials(). Only meshes of one material can be merged.
-    std::size_t material() const { return mesh->geometry->groups.front().material; }
 };
 
 /// A mesh that may be merged with others.
 struct MergeCandidate {
-    std::size_t number = 0; ///< the caller's
-    std::size_t material = 0;
+    std::size_t number = 0;   ///< the caller's
+    std::size_t material = 0; ///< only meshes of one material can be merged
     std::size_t triangles = 0;
     Box box{}; ///< in the world
 };

@@ -371,13 +371,21 @@ TEST(LayerSearch, KeepsNothingOfRecordsThatAreGone) {
     }
 }
 
+/// The shared models; none: they are not there.
+std::vector<std::filesystem::path> modelFiles() {
+    std::vector<std::filesystem::path> files;
+    if (!std::filesystem::is_directory(EDGESHADE_SHARED_SCENES)) return files;
+    for (const auto& entry : std::filesystem::directory_iterator(EDGESHADE_SHARED_SCENES))
+        if (entry.path().extension() == ".glb") files.push_back(entry.path());
+    return files;
+}
+
 TEST(LayerSearch, ModelsNeedNoGroups) {
-    if (!std::filesystem::is_directory(EDGESHADE_SHARED_SCENES))
+    if (modelFiles().empty())
         GTEST_SKIP() << EDGESHADE_SHARED_SCENES << " is not there, so no bounds of its models";
-    for (const auto& entry : std::filesystem::directory_iterator(EDGESHADE_SHARED_SCENES)) {
-        if (entry.path().extension() != ".glb") continue;
-        SCOPED_TRACE(entry.path().stem());
-        const LoadedScene loaded = loadScene(entry.path(), std::nullopt);
+    for (const std::filesystem::path& file : modelFiles()) {
+        SCOPED_TRACE(file.stem());
+        const LoadedScene loaded = loadScene(file, std::nullopt);
         const Box bounds = worldBounds(loaded.scene);
         const double size = bounds.diagonal();
         LayerSearch search;
@@ -418,12 +426,11 @@ Light modelLight(const Scene& scene, const Box& bounds, Random& random, int i) {
 }
 
 TEST(LongLayerSearch, IsNeverBelowTheTruthOfModels) {
-    if (!std::filesystem::is_directory(EDGESHADE_SHARED_SCENES))
+    if (modelFiles().empty())
         GTEST_SKIP() << EDGESHADE_SHARED_SCENES << " is not there, so no bounds of its models";
-    for (const auto& entry : std::filesystem::directory_iterator(EDGESHADE_SHARED_SCENES)) {
-        if (entry.path().extension() != ".glb") continue;
-        SCOPED_TRACE(entry.path().stem());
-        const LoadedScene loaded = loadScene(entry.path(), std::nullopt);
+    for (const std::filesystem::path& file : modelFiles()) {
+        SCOPED_TRACE(file.stem());
+        const LoadedScene loaded = loadScene(file, std::nullopt);
         const Box bounds = worldBounds(loaded.scene);
         Random random(53);
         LayerSearch search;

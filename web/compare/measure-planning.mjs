@@ -3,10 +3,8 @@
 //
 //   node compare/measure-planning.mjs FILE.glb...
 
-import { readFileSync } from 'node:fs';
 import { basename } from 'node:path';
-import { launchChromium } from '../tests/support/chromium.mjs';
-import { serve } from '../tests/support/server.mjs';
+import { base64Of, withViewerTab } from './viewer-tab.mjs';
 
 const sides = { volumes: { shadows: 'volumes' }, 'map 2048': { shadows: 'map', map_size: 2048 } };
 
@@ -32,19 +30,9 @@ async function measure({ base64, wanted, frames }) {
   return told;
 }
 
-const server = await serve();
-const browser = await launchChromium({ angle: 'swiftshader' });
-try {
-  const tab = await browser.newPage({ viewport: { width: 960, height: 540 } });
-  await tab.goto(`${server.address}/tests/plain.html`);
-  await tab.waitForFunction(() => document.querySelector('edgeshade-viewer')?.loaded);
+await withViewerTab(async (tab) => {
   const told = {};
-  for (const file of process.argv.slice(2)) {
-    const base64 = readFileSync(file).toString('base64');
-    told[basename(file, '.glb')] = await tab.evaluate(measure, { base64, wanted: sides, frames: 40 });
-  }
+  for (const file of process.argv.slice(2))
+    told[basename(file, '.glb')] = await tab.evaluate(measure, { base64: base64Of(file), wanted: sides, frames: 40 });
   console.log(JSON.stringify(told, null, 1));
-} finally {
-  await browser.close();
-  await server.close();
-}
+});

@@ -3,9 +3,7 @@
 //
 //   node compare/measure-posing.mjs FILE.glb
 
-import { readFileSync } from 'node:fs';
-import { launchChromium } from '../tests/support/chromium.mjs';
-import { serve } from '../tests/support/server.mjs';
+import { base64Of, withViewerTab } from './viewer-tab.mjs';
 
 const sides = {
   volumes: { shadows: 'volumes' },
@@ -40,15 +38,7 @@ async function measure({ base64, wanted, frames }) {
   return told;
 }
 
-const server = await serve();
-const browser = await launchChromium({ angle: 'swiftshader' });
-try {
-  const tab = await browser.newPage({ viewport: { width: 960, height: 540 } });
-  await tab.goto(`${server.address}/tests/plain.html`);
-  await tab.waitForFunction(() => document.querySelector('edgeshade-viewer')?.loaded);
-  const base64 = readFileSync(process.argv[2]).toString('base64');
+await withViewerTab(async (tab) => {
+  const base64 = base64Of(process.argv[2]);
   console.log(JSON.stringify(await tab.evaluate(measure, { base64, wanted: sides, frames: 40 }), null, 1));
-} finally {
-  await browser.close();
-  await server.close();
-}
+});

@@ -209,8 +209,7 @@ export class Casters {
   }
 
   #place(mesh, number, had) {
-    const { elements } = mesh.matrixWorld;
-    if (had.shown === number && had.ids.length === 1 && had.world && sameNumbers(had.world, elements)) return;
+    if (!mesh.isInstancedMesh && had.shown === number && had.ids.length === 1 && sameNumbers(had.places[0], mesh.matrixWorld.elements)) return;
     const places = number < 0 ? [] : placesOf(mesh).filter(Boolean);
     const ids = had.ids;
     while (ids.length > places.length) this.#masks.remove(ids.pop());
@@ -226,7 +225,7 @@ export class Casters {
       }
       if (!sameNumbers(had.places[i], matrix)) this.#masks.move(ids[i], matrix);
     }
-    Object.assign(had, { places, shown: number, world: mesh.isInstancedMesh ? null : [...elements] });
+    Object.assign(had, { places, shown: number });
   }
 
   /** Sets the alpha of all instances, if it has changed. */

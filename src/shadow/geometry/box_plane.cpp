@@ -10,6 +10,10 @@ double largestOver(const Box& box, const glm::dvec4& plane, double w) {
     return glm::dot(normal, center) + glm::dot(glm::abs(normal), box.high - center) + plane.w * w;
 }
 
+glm::dvec4 planeAround(const Box& box, const glm::dvec3& normal) {
+    return {normal, largestOver(box, glm::dvec4(-normal, 0.0))};
+}
+
 double roundingOf(const Box& box, const glm::dvec4& plane) {
     const glm::dvec3 farthest = glm::max(glm::abs(box.low), glm::abs(box.high));
     return placingError * (glm::dot(glm::abs(glm::dvec3(plane)), farthest) + std::abs(plane.w));
@@ -21,16 +25,12 @@ bool isOutside(const Box& box, const glm::dvec4& plane) {
 
 bool areApart(const Box& inWorld, const Box& placed, const glm::dmat4& worldFromPlaced) {
     if (inWorld.empty()) return false;
-    for (glm::length_t axis = 0; axis < 3; ++axis) {
-        glm::dvec4 above(0.0), below(0.0);
-        above[axis] = 1.0;
-        above.w = -inWorld.low[axis];
-        below[axis] = -1.0;
-        below.w = inWorld.high[axis];
-        if (isOutside(placed, above * worldFromPlaced) ||
-            isOutside(placed, below * worldFromPlaced))
-            return true;
-    }
+    for (glm::length_t axis = 0; axis < 3; ++axis)
+        for (const double sign : {-1.0, 1.0}) {
+            glm::dvec3 normal(0.0);
+            normal[axis] = sign;
+            if (isOutside(placed, planeAround(inWorld, normal) * worldFromPlaced)) return true;
+        }
     return false;
 }
 

@@ -12,6 +12,9 @@ constexpr double placingError = 4e-6;
 /// The largest of dot(plane, (p, w)) over a box.
 double largestOver(const Box& box, const glm::dvec4& plane, double w = 1.0);
 
+/// The plane with this normal that touches the box, with the box on its inner side.
+glm::dvec4 planeAround(const Box& box, const glm::dvec3& normal);
+
 /// Bound of the rounding error of dot(plane, (p, 1)) for points p of the box.
 double roundingOf(const Box& box, const glm::dvec4& plane);
 

@@ -5,11 +5,6 @@
 namespace edgeshade {
 namespace {
 
-/// The plane through the box's outermost point along the normal, with the box inside.
-glm::dvec4 planeAround(const Box& box, const glm::dvec3& normal) {
-    return {normal, largestOver(box, glm::dvec4(-normal, 0.0))};
-}
-
 /// Planes along the axes: of the box, moved out to the light.
 void addAlongAxes(const glm::dvec4& light, const Box& box, std::vector<glm::dvec4>& planes) {
     for (glm::length_t axis = 0; axis < 3; ++axis)
