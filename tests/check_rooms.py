@@ -16,7 +16,7 @@ DRAWING = ROOT / "docs/figures/rooms.svg"
 
 # In order: a room may include those before it.
 ROOMS = (
-    "preprocess/base", "src/sun", "preprocess/scene", "preprocess/mesh", "preprocess/volumes/published",
+    "preprocess/base", "src/sun", "preprocess/scene", "preprocess/mesh", "preprocess/section", "preprocess/volumes/published",
     "preprocess/volumes",
     "src/shadow/geometry", "src/shadow/lights", "src/shadow/silhouette", "src/shadow/layers", "src/shadow/view",
     "src/shadow/primitive_map", "src/shadow/plan", "src/shadow/irregular", "src/policy", "src/settings",

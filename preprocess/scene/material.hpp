@@ -20,6 +20,14 @@ enum class GroundMaterial {
     catcher, ///< shows only shadow, on the background, fading with vertex alpha
 };
 
+/// Surfaces that a section makes of others. No file has them.
+enum class SectionPart {
+    none,
+    fill, ///< closes a cut of a scene that casts as a whole: it receives shadow and casts none
+    away, ///< cut away from such a scene: it casts and is invisible. Opaque surfaces are BLEND
+          ///< then, because the depth buffer doesn't have them.
+};
+
 /// Use of a material's texture, with the channels that glTF reads.
 enum class TextureSlot {
     baseColor,         ///< RGBA, sRGB; with specular-glossiness the diffuse colour
@@ -62,6 +70,7 @@ struct Material {
     bool doubleSided = false; ///< visible from behind, where Scene::culls; BLEND surfaces always
                               ///< are
     GroundMaterial ground = GroundMaterial::none;
+    SectionPart section = SectionPart::none;
     bool unlit = false; ///< KHR_materials_unlit: shows its colour unchanged; it casts shadow all
                         ///< the same
     float alphaCutoff = 0.5f;
@@ -96,8 +105,15 @@ struct Material {
 
     /// Whether its surfaces cast shadow. `castMasked` as in CasterSettings.
     bool casts(bool castMasked) const {
-        return ground == GroundMaterial::none && (castMasked || alphaMode == AlphaMode::opaque);
+        if (ground != GroundMaterial::none || section == SectionPart::fill) return false;
+        return castMasked || alphaMode == AlphaMode::opaque ||
+               (section == SectionPart::away && alphaMode == AlphaMode::blend);
     }
+
+    /// Whether its surfaces are drawn.
+    bool isSeen() const { return section != SectionPart::away; }
+    /// Whether they are drawn and show what is behind them.
+    bool isSeeThrough() const { return isSeen() && alphaMode == AlphaMode::blend; }
 
     /// Whether base colour and Lambert's law are enough: the remaining reflection of a rough
     /// dielectric is below what the display shows.

@@ -14,17 +14,17 @@ std::vector<std::size_t> firstOfGeometry(const std::vector<Batch>& batches) {
     return first;
 }
 
-int nodeOf(const Batch& batch, std::uint32_t index) {
-    const std::vector<SourceNode>& sources = batch.geometry->sources;
+int nodeOf(const Geometry& geometry, int placedBy, std::uint32_t index) {
+    const std::vector<SourceNode>& sources = geometry.sources;
     const auto after = std::upper_bound(
         sources.begin(), sources.end(), index,
         [](std::uint32_t at, const SourceNode& source) { return at < source.firstIndex; });
-    return after == sources.begin() ? batch.placedBy : (after - 1)->node;
+    return after == sources.begin() ? placedBy : (after - 1)->node;
 }
 
 Box worldBounds(const Scene& scene) {
     Box box;
-    for (const Batch& batch : scene.batches) {
+    for (const Batch& batch : scene.whole().batches) {
         if (batch.ground || batch.hidden) continue;
         for (const glm::vec3& position : batch.geometry->positions)
             box.add(glm::dvec3(batch.worldFromBatch * glm::dvec4(position, 1.0)));

@@ -7,6 +7,7 @@
 #include "preprocess/scene/material.hpp"
 #include "preprocess/scene/scene_camera.hpp"
 #include "preprocess/scene/scene_light.hpp"
+#include "preprocess/scene/section.hpp"
 
 #include <array>
 #include <cstdint>
@@ -92,6 +93,14 @@ struct Batch {
     bool isAnimated() const { return node >= 0 || deforms(); } ///< an animation can move it
 };
 
+struct Scene;
+
+/// What a section has cut.
+struct CutFrom {
+    std::shared_ptr<const Scene> whole; ///< the scene before, with the same batches
+    Section section;
+};
+
 /// A glTF scene at rest, ready for drawing and for building shadow data.
 struct Scene {
     std::vector<Batch> batches;
@@ -103,6 +112,15 @@ struct Scene {
     /// Triangles of single-sided materials are visible only from their front. They cast from either
     /// side (docs/method.md, C39).
     bool culls = false;
+    std::optional<CutFrom> cutFrom; ///< empty: no section cuts the scene
+
+    /// Whether some casters may be in no depth buffer: BLEND ones, with `castMasked` as in
+    /// CasterSettings, and those that a section cuts away.
+    bool mayHaveHoles(bool castMasked) const {
+        return castMasked || (cutFrom && cutFrom->section.shadows == SectionShadows::whole);
+    }
+    /// The scene without its section.
+    const Scene& whole() const { return cutFrom ? *cutFrom->whole : *this; }
 
     /// All triangles without the ground's.
     std::size_t triangleCount() const {
@@ -127,10 +145,12 @@ auto byGeometry(const std::vector<Batch>& batches, const Make& make) {
     return made;
 }
 
-/// The glTF node of the mesh with the triangle at that index; -1 for the ground.
-int nodeOf(const Batch& batch, std::uint32_t index);
+/// The glTF node of the mesh with the triangle at that index of a batch's geometry; -1 for the
+/// ground. `placedBy`: the batch's.
+int nodeOf(const Geometry& geometry, int placedBy, std::uint32_t index);
 
-/// The box of all vertices in the world, without those of the ground and of hidden batches.
+/// The box of all vertices in the world, without those of the ground and of hidden batches. A
+/// section leaves it as it was.
 Box worldBounds(const Scene& scene);
 
 } // namespace edgeshade

@@ -2,6 +2,7 @@
 
 #include "preprocess/gltf/gltf_document.hpp"
 #include "preprocess/packing/weld_choice.hpp"
+#include "src/scene/cut_loaded.hpp"
 #include "src/scene/pose.hpp"
 
 #include <algorithm>
@@ -21,6 +22,7 @@ std::shared_ptr<const LoadedScene> CasterVariants::with(const CasterChanges& cha
     if (own_.time) poseScene(other, *own_.time, own_.animation);
     leaveOutHidden(other);
     if (own_.ground) addGround(other, *own_.ground);
+    if (own_.scene.cutFrom) cutScene(other, own_.scene.cutFrom->section);
     return others_.emplace_back(std::make_shared<const LoadedScene>(std::move(other)));
 }
 

@@ -101,6 +101,15 @@ const std::vector<Option> picture = {
      "auto; off with --layout published or brute-force", sees,
      "Whether materials that aren't double-sided are invisible from behind",
      "Both sides cast shadows either way."},
+    {"--section NX,NY,NZ,D", "", Where(sees, render | compare | view | sunhours),
+     "Cut the scene open: keep where NX*x + NY*y + NZ*z + D is 0 or more; may be repeated",
+     "At most 6 planes. The ground isn't cut."},
+    {"--section-box X0,Y0,Z0,X1,Y1,Z1", "", sees, "Cut the scene open: keep this box"},
+    {"--section-shadows WORD", valuesOf(settings::sectionShadows.domain), "=cut", sees,
+     "Whether what is cut away casts shadows",
+     "cut: it does not. whole: it casts as built, so that rooms keep their light."},
+    {"--section-fill COLOUR", "=#cc5540", sees,
+     "Colour of cut faces of solids, #RRGGBB, or none to leave them open"},
     {"--screenshot OUT.png", "", usual(view), "Save one picture and close the window"}};
 
 const std::vector<Option> lights = {

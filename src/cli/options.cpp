@@ -4,6 +4,7 @@
 #include "preprocess/scene/animation.hpp"
 #include "src/cli/number_text.hpp"
 #include "src/cli/setting_text.hpp"
+#include "src/scene/cut_loaded.hpp"
 #include "src/scene/pose.hpp"
 #include "src/shadow/lights/scene_lights.hpp"
 #include "src/shadow/view/framing.hpp"
@@ -118,6 +119,7 @@ void addUnlitSceneOptions(CLI::App& verb, SceneOptions& options) {
                                                        "' is neither off nor catcher nor a "
                                                        "colour #rrggbb");
     });
+    addSectionOptions(verb, options.section);
     addLimitOptions(verb, options.limits);
 }
 
@@ -140,6 +142,7 @@ LoadedScene SceneOptions::load(Shading shading, ShadowMethod shadows, bool oppos
                                   "is at rest.");
     leaveOutHidden(loaded);
     if (const GroundChoice asked = typedGround()) addGround(loaded, *asked);
+    cutScene(loaded, section.section());
     if (const SunOptions& sun = view.lights.sun; sun.isDown())
         loaded.scene.warnings.add(sun.downSentence() + ", so it lights nothing.");
     return loaded;
@@ -149,6 +152,7 @@ nlohmann::ordered_json SceneOptions::sceneJson(const Scene& scene) const {
     nlohmann::ordered_json json = {{"ground", textOf(typedGround())},
                                    {"cast-cutouts", cutoutsCast},
                                    {"cull", wordOf(settings::cull.domain, scene.culls)}};
+    if (scene.cutFrom) json["section"] = sectionJson(scene.cutFrom->section);
     if (time) json["time"] = *time;
     if (!animation.empty()) json["animation"] = animation;
     if (view.lights.sun.typed()) json["sun"] = view.lights.sun.json();

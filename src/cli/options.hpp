@@ -1,6 +1,7 @@
 #pragma once
 
 #include "src/cli/light_options.hpp"
+#include "src/cli/section_options.hpp"
 #include "src/render/frame/frame.hpp"
 #include "src/scene/ground_text.hpp"
 #include "src/scene/load.hpp"
@@ -68,15 +69,16 @@ struct SceneOptions {
     std::optional<double> time;         ///< time of the animation in seconds; null: at rest
     std::string animation;              ///< the animation's name or index; empty: the first
     std::optional<GroundChoice> ground; ///< as typed; null: the verb's default
+    SectionOptions section;
 
     GroundChoice typedGround() const { return ground.value_or(std::nullopt); }
-    /// {"ground", "cast-cutouts", "cull", "time", "sun"}, the last two if they were typed: report
-    /// keys in addition to the settings. `scene`: as loaded.
+    /// {"ground", "cast-cutouts", "cull", "section", "time", "sun"}, the last three if typed:
+    /// report keys in addition to the settings. `scene`: as loaded.
     nlohmann::ordered_json sceneJson(const Scene& scene) const;
-    /// Loads the scene with the typed time and ground. Warns if there is no animation, or if
-    /// `shadows` omit casters that the user requested. `oppositeVertices`: some volumes are drawn
-    /// from opposite-vertex records or single triangles. Throws Error(usage) if these were typed
-    /// with '--cull auto'; InputError.
+    /// Loads the scene with the typed time, ground and section. Warns if there is no animation, or
+    /// if `shadows` omit casters that the user requested. `oppositeVertices`: some volumes are
+    /// drawn from opposite-vertex records or single triangles. Throws Error(usage) if these were
+    /// typed with '--cull auto'; InputError.
     LoadedScene load(Shading shading, ShadowMethod shadows, bool oppositeVertices) const;
 };
 

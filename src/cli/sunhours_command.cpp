@@ -99,6 +99,9 @@ LitCounts countLit(const SunHoursOptions& options, const LoadedScene& loaded,
         });
 }
 
+/// The node that cut faces of a section count as; no file has so many nodes.
+constexpr std::uint32_t fillNode = hours::Exposure::none - 1;
+
 /// Adds the visible surfaces to the part, by area, material and node.
 void addSurfaces(const LoadedScene& loaded, const FrameRequest& request,
                  const lab::AlphaLookup& alpha, hours::Part& part, ProgressBar& bar) {
@@ -125,12 +128,17 @@ void addSurfaces(const LoadedScene& loaded, const FrameRequest& request,
         const lab::EyeTriangle& triangle = oracle.triangles()[surfaces[i].triangle];
         const Batch& batch = loaded.scene.batches[triangle.batch];
         if (batch.ground) continue;
-        const auto node = static_cast<std::uint32_t>(nodeOf(batch, triangle.firstIndex));
+        const bool isFill = triangle.material >= loaded.scene.whole().materials.size();
+        const auto node = isFill ? fillNode
+                                 : static_cast<std::uint32_t>(nodeOf(
+                                       *triangle.geometry, batch.placedBy, triangle.firstIndex));
         exposure.material[i] = triangle.material;
         exposure.node[i] = node;
         if (!part.materials.contains(triangle.material))
-            part.materials[triangle.material] = materialTitle(*loaded.document, triangle.material);
-        if (!part.nodes.contains(node)) part.nodes[node] = nodeTitle(*loaded.document, node);
+            part.materials[triangle.material] =
+                isFill ? "section" : materialTitle(*loaded.document, triangle.material);
+        if (!part.nodes.contains(node))
+            part.nodes[node] = isFill ? "section" : nodeTitle(*loaded.document, node);
     }
 }
 

@@ -1,8 +1,10 @@
 #include "src/lab/eye_triangles.hpp"
 
+#include "src/lab/section_clip.hpp"
 #include "src/shadow/view/visible_depth.hpp"
 
 #include <glm/gtc/matrix_transform.hpp>
+#include <optional>
 
 namespace edgeshade::lab {
 
@@ -16,47 +18,83 @@ bool isSeenFromBehind(const EyeTriangle& triangle, const glm::dvec4& eye, bool m
 
 } // namespace
 
-std::array<glm::dvec3, 3> cornersInBatch(const Scene& scene, const EyeTriangle& triangle) {
-    const Geometry& geometry = *scene.batches[triangle.batch].geometry;
-    const auto corner = [&](std::uint32_t i) {
-        return glm::dvec3(geometry.positions[geometry.indices[triangle.firstIndex + i]]);
-    };
-    return {corner(0), corner(1), corner(2)};
-}
+namespace {
+
+/// Collects a scene's triangles.
+class Collector {
+  public:
+    Collector(const Scene& scene, const Frustum& frustum, bool castMasked, bool cutoutsCast)
+        : scene_(scene), position_(frustum.position()), castMasked_(castMasked),
+          cutoutsCast_(cutoutsCast) {
+        const glm::dvec4 eye = frustum.eye();
+        eye_ = {glm::dvec3(eye) - position_ * eye.w, eye.w};
+        if (scene.cutFrom) clip_.emplace(scene.cutFrom->section, position_);
+        triangles.reserve(scene.triangleCount());
+    }
+
+    /// Adds a group of a batch, in whose place `geometry` may be the one before a section.
+    void add(std::uint32_t batch, const Geometry& geometry, const SurfaceGroup& group, bool clips) {
+        const Batch& of = scene_.batches[batch];
+        const glm::dmat4 eyeFromBatch =
+            glm::translate(glm::dmat4(1.0), -position_) * of.worldFromBatch;
+        const auto corner = [&](std::uint32_t index) {
+            const glm::vec3& at = geometry.positions[geometry.indices[index]];
+            return glm::dvec3(eyeFromBatch * glm::dvec4(at, 1.0));
+        };
+        const Material& material = scene_.materials[group.material];
+        EyeTriangle triangle;
+        triangle.batch = batch;
+        triangle.material = static_cast<std::uint32_t>(group.material);
+        triangle.geometry = &geometry;
+        triangle.casts =
+            material.casts(castMasked_) || (cutoutsCast_ && material.alphaMode == AlphaMode::mask);
+        const std::uint32_t end = group.firstIndex + group.indexCount;
+        for (std::uint32_t i = group.firstIndex; i < end; i += 3) {
+            triangle.a = corner(i);
+            triangle.b = corner(i + 1);
+            triangle.c = corner(i + 2);
+            triangle.firstIndex = i;
+            triangle.visible = material.alphaMode != AlphaMode::blend &&
+                               !(scene_.culls && !material.doubleSided &&
+                                 isSeenFromBehind(triangle, eye_, of.isMirrored()));
+            if (clips)
+                clip_->add(triangle, triangles);
+            else
+                triangles.push_back(triangle);
+        }
+    }
+
+    /// Adds the groups of a batch, and the fill of its cuts.
+    void add(std::uint32_t batch) {
+        const Batch& of = scene_.batches[batch];
+        const Geometry& before = *scene_.whole().batches[batch].geometry;
+        for (const SurfaceGroup& group : before.groups)
+            add(batch, before, group, clip_ && !of.ground && !of.hidden);
+        if (!clip_) return;
+        for (const SurfaceGroup& group : of.geometry->groups)
+            if (group.material >= scene_.whole().materials.size() &&
+                scene_.materials[group.material].isSeen())
+                add(batch, *of.geometry, group, false);
+    }
+
+    std::vector<EyeTriangle> triangles;
+
+  private:
+    const Scene& scene_;
+    glm::dvec3 position_;
+    glm::dvec4 eye_; ///< homogeneous, relative to the frustum's position
+    bool castMasked_, cutoutsCast_;
+    std::optional<SectionClip> clip_;
+};
+
+} // namespace
 
 std::vector<EyeTriangle> eyeTriangles(const Scene& scene, const Frustum& frustum, bool castMasked,
                                       bool cutoutsCast) {
-    std::vector<EyeTriangle> triangles;
-    triangles.reserve(scene.triangleCount());
-    const glm::dvec4 eyePlace = frustum.eye();
-    const glm::dvec4 eye(glm::dvec3(eyePlace) - frustum.position() * eyePlace.w, eyePlace.w);
-    for (std::uint32_t b = 0; b < scene.batches.size(); ++b) {
-        const Batch& batch = scene.batches[b];
-        if (batch.ground && !isAboveGround(frustum, batch)) continue;
-        const glm::dmat4 eyeFromBatch =
-            glm::translate(glm::dmat4(1.0), -frustum.position()) * batch.worldFromBatch;
-        const auto corner = [&](std::uint32_t index) {
-            return glm::dvec3(
-                eyeFromBatch *
-                glm::dvec4(batch.geometry->positions[batch.geometry->indices[index]], 1.0));
-        };
-        for (const SurfaceGroup& group : batch.geometry->groups) {
-            const Material& material = scene.materials[group.material];
-            for (std::uint32_t i = group.firstIndex; i < group.firstIndex + group.indexCount;
-                 i += 3) {
-                EyeTriangle& triangle = triangles.emplace_back(
-                    EyeTriangle{corner(i), corner(i + 1), corner(i + 2), b, i,
-                                static_cast<std::uint32_t>(group.material),
-                                material.casts(castMasked) ||
-                                    (cutoutsCast && material.alphaMode == AlphaMode::mask),
-                                material.alphaMode != AlphaMode::blend});
-                if (scene.culls && !material.doubleSided &&
-                    isSeenFromBehind(triangle, eye, batch.isMirrored()))
-                    triangle.visible = false;
-            }
-        }
-    }
-    return triangles;
+    Collector collector(scene, frustum, castMasked, cutoutsCast);
+    for (std::uint32_t b = 0; b < scene.batches.size(); ++b)
+        if (!scene.batches[b].ground || isAboveGround(frustum, scene.batches[b])) collector.add(b);
+    return std::move(collector.triangles);
 }
 
 } // namespace edgeshade::lab

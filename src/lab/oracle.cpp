@@ -217,8 +217,7 @@ void Oracle::findTouched() {
         std::vector<std::uint32_t>& touched = touched_.emplace_back();
         for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
             const std::uint32_t batch = triangles_[i].batch;
-            if (reached[batch] &&
-                touches(cornersInBatch(*question_.scene, triangles_[i]), places[batch]))
+            if (reached[batch] && touches(cornersInBatch(triangles_[i]), places[batch]))
                 touched.push_back(i);
         }
     }
@@ -244,8 +243,7 @@ bool Oracle::blocks(std::uint32_t triangle, std::size_t light) const {
 
 bool Oracle::isGrazed(std::uint32_t triangle, std::size_t light) const {
     const EyeTriangle& surface = triangles_[triangle];
-    return contactOf(cornersInBatch(*question_.scene, surface), lightInBatch_[light][surface.batch])
-        .grazes;
+    return contactOf(cornersInBatch(surface), lightInBatch_[light][surface.batch]).grazes;
 }
 
 double Oracle::rangeOf(std::size_t light) const {

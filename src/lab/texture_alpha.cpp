@@ -79,34 +79,33 @@ class AlphaTexture {
 class AlphaSurface {
   public:
     AlphaSurface(const Scene& scene, const EyeTriangle& triangle)
-        : material_(scene.materials[triangle.material]), batch_(scene.batches[triangle.batch]),
-          firstIndex_(triangle.firstIndex) {}
+        : material_(scene.materials[triangle.material]), triangle_(triangle) {}
 
     const Material& material() const { return material_; }
     float factor(const glm::dvec2& place) const {
-        return material_.baseColorFactor.a * blended(batch_.geometry->colors, place).a;
+        return material_.baseColorFactor.a * blended(triangle_.geometry->colors, place).a;
     }
     /// Clamped to a range in which integers can count texels.
     glm::dvec2 texcoord(const glm::dvec2& place) const {
         constexpr double farthest = 1e6;
-        const glm::dvec2 uv(blended(batch_.geometry->texcoords, place));
+        const glm::dvec2 uv(blended(triangle_.geometry->texcoords, place));
         if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) return glm::dvec2(0.0);
         return glm::clamp(uv, -farthest, farthest);
     }
 
   private:
     template <class Value>
-    Value blended(const std::vector<Value>& values, const glm::dvec2& place) const {
+    Value blended(const std::vector<Value>& values, const glm::dvec2& ofTriangle) const {
+        const glm::dvec2 place = placeInGeometry(triangle_, ofTriangle);
         const auto at = [&](std::uint32_t c) {
-            return values[batch_.geometry->indices[firstIndex_ + c]];
+            return values[triangle_.geometry->indices[triangle_.firstIndex + c]];
         };
         return at(0) * static_cast<float>(1.0 - place.x - place.y) +
                at(1) * static_cast<float>(place.x) + at(2) * static_cast<float>(place.y);
     }
 
     const Material& material_;
-    const Batch& batch_;
-    std::uint32_t firstIndex_;
+    const EyeTriangle& triangle_;
 };
 
 } // namespace

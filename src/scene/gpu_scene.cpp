@@ -11,8 +11,8 @@ struct HoleSource {
 };
 
 std::optional<HoleSource> holeSource(const LoadedScene& loaded, const Batch& batch) {
-    if (!loaded.settings.castMasked) return std::nullopt;
-    HoleSource source{castersOf(batch, loaded.scene.materials, true), {}};
+    if (!loaded.mayHaveHoles()) return std::nullopt;
+    HoleSource source{castersOf(batch, loaded.scene.materials, loaded.settings.castMasked), {}};
     source.mesh = weldForRecords(batch, source.casters);
     return source;
 }
@@ -97,6 +97,7 @@ GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> rec
     for (const GpuBatch& batch : gpu.batches)
         for (const SurfaceChunk& chunk : *batch.surfaces) {
             const Material& material = gpu.materials[chunk.material];
+            if (!material.isSeen()) continue;
             const bool blends = material.alphaMode == AlphaMode::blend;
             gpu.seeThrough = gpu.seeThrough || (blends && !material.unlit);
             gpu.plain = gpu.plain && (material.unlit || blends || material.isPlain());

@@ -15,6 +15,7 @@
 namespace edgeshade {
 
 struct GltfDocument;
+struct UncutScene;
 
 /// The default of Scene::culls.
 inline constexpr bool cullsByDefault = true;
@@ -34,7 +35,9 @@ struct LoadedScene {
                                        ///< primitive maps
     std::optional<Ground> ground = {}; ///< laid beneath the scene
     bool showsGround = true;           ///< the ground, if any, is visible now
+    std::shared_ptr<UncutScene> uncut = {}; ///< what cutScene() cuts; null: no section did
 
+    bool mayHaveHoles() const { return scene.mayHaveHoles(settings.castMasked); }
     LayerCasters layerCasters() const { return {scene, planePairs, settings.castMasked}; }
 };
 

@@ -91,7 +91,7 @@ class GroupUpload {
                           std::uint32_t largest) const {
         const auto& [casters, mesh, edges] = topology;
         const Batch& batch = scene_.batches[batchIndex];
-        const bool alphaTested = settings_.castMasked;
+        const bool alphaTested = scene_.mayHaveHoles(settings_.castMasked);
         BatchVolumes volumes;
         if (records_.volumes == VolumeLayout::planePairs) {
             auto shadow = std::make_shared<const PlanePairShadow>(

@@ -43,8 +43,11 @@ SceneFacts sceneFactsOf(const LoadedScene& loaded) {
         facts.allAnimated = facts.allAnimated && batch.isAnimated();
         facts.simplified = facts.simplified || batch.geometry->simplifiedCasters.has_value();
     }
+    // Clusters with casters that a section cuts away count as alpha-tested too, but lookups and
+    // points take these as they are: no surface that receives light is among them.
     for (const auto& shadow : loaded.planePairs)
-        facts.alphaTested = facts.alphaTested || anyAlphaTested(*shadow);
+        facts.alphaTested =
+            facts.alphaTested || (loaded.settings.castMasked && anyAlphaTested(*shadow));
     facts.cutoutsCast = loaded.cutoutsCast;
     return facts;
 }

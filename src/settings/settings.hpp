@@ -1,6 +1,7 @@
 #pragma once
 
 #include "preprocess/scene/material.hpp"
+#include "preprocess/scene/section.hpp"
 #include "src/settings/build_parts.hpp"
 #include "src/settings/choices.hpp"
 #include "src/settings/conditions.hpp"
@@ -94,6 +95,9 @@ inline constexpr Setting<Words<bool, 2>> terminator{
     "terminator", {{{"soft", true}, {"exact", false}}}, Condition::fullShading};
 inline constexpr Setting<FileName> environment{"environment", {"neutral"}, Condition::fullShading};
 inline constexpr Setting<Words<bool, 2>> cull{"cull", {{{"auto", true}, {"off", false}}}};
+
+inline constexpr Setting<Words<SectionShadows, 2>> sectionShadows{
+    "section_shadows", {{{"cut", SectionShadows::cut}, {"whole", SectionShadows::whole}}}};
 
 inline constexpr Setting<WholeRange> mapSize{"map_size", {16, 16384}, Condition::map};
 inline constexpr Setting<NumberRange> mapBias{"map_bias", {0.0, 100.0}, Condition::map}; // texels

@@ -35,6 +35,7 @@ std::optional<glm::dvec3> firstHit(const Scene& scene, const Ray& ray) {
         const Ray local{glm::dvec3(batchFromWorld * glm::dvec4(ray.from, 1.0)),
                         glm::dvec3(batchFromWorld * glm::dvec4(ray.direction, 0.0))};
         for (const SurfaceGroup& group : batch.geometry->groups) {
+            if (!scene.materials[group.material].isSeen()) continue;
             const bool frontAlone = scene.culls && !scene.materials[group.material].doubleSided;
             const std::uint32_t end = group.firstIndex + group.indexCount;
             for (std::uint32_t i = group.firstIndex; i + 2 < end; i += 3)

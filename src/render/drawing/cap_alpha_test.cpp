@@ -18,8 +18,10 @@ void setAlphaLookup(const gl::Program& program, const AlphaLookup& alpha) {
 void setCapAlphaTest(const gl::Program& program, const GpuScene& scene, std::size_t batch,
                      std::size_t material) {
     AlphaLookup alpha = scene.alphaOf(batch, material);
-    // BLEND surfaces are not in the depth buffer, so all of such a surface counts as cut out.
-    if (scene.materials[material].alphaMode == AlphaMode::blend) alpha.cutoff = aboveAnyAlpha;
+    // BLEND surfaces are not in the depth buffer, so all of such a surface counts as cut out, and
+    // so does what a section cuts away.
+    const Material& of = scene.materials[material];
+    if (of.alphaMode == AlphaMode::blend || !of.isSeen()) alpha.cutoff = aboveAnyAlpha;
     setAlphaLookup(program, alpha);
 }
 

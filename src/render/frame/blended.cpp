@@ -28,7 +28,7 @@ void Renderer::drawBlended(const SlicePass& pass) {
     std::vector<Item> items;
     for (const GpuBatch& batch : pass.scene.batches)
         for (const SurfaceChunk& chunk : *batch.surfaces) {
-            const bool blends = pass.scene.materials[chunk.material].alphaMode == AlphaMode::blend;
+            const bool blends = pass.scene.materials[chunk.material].isSeeThrough();
             if (!blends || batch.hidden) continue;
             const glm::dvec3 center(batch.worldFromBatch * glm::dvec4(chunk.center, 1.0));
             items.push_back({distanceFrom(pass.view.frustum, center), &chunk, &batch});

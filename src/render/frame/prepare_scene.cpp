@@ -15,7 +15,7 @@ namespace {
 bool mayReachSeeThrough(const GpuScene& scene, const Light& light) {
     if (!light.hasRange()) return true;
     const auto isSeeThrough = [&](const SurfaceChunk& chunk) {
-        return scene.materials[chunk.material].alphaMode == AlphaMode::blend;
+        return scene.materials[chunk.material].isSeeThrough();
     };
     for (const GpuBatch& batch : scene.batches) {
         const auto& chunks = *batch.surfaces;

@@ -152,7 +152,7 @@ std::size_t SurfacePass::draw(const GpuScene& scene, const GpuBatch& batch, cons
     for (const AlphaMode kind : {AlphaMode::opaque, AlphaMode::mask})
         for (const SurfaceChunk& chunk : *batch.surfaces) {
             const Material& material = scene.materials[chunk.material];
-            if (material.alphaMode != kind) continue;
+            if (material.alphaMode != kind || !material.isSeen()) continue;
             const CullScope frontAlone(view.culls && !material.doubleSided, view.mirrored);
             runs += drawChunk(scene, chunk, view, shading);
         }

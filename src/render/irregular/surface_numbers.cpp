@@ -133,7 +133,7 @@ void SurfaceNumbers::drawBatch(const GpuScene& scene, const GpuBatch& batch, con
     add(1, offsetof(NumberedVertex, alpha));
     for (const SurfaceGroup& group : batch.geometry->groups) {
         const Material& material = scene.materials[group.material];
-        if (material.alphaMode == AlphaMode::blend) continue;
+        if (material.alphaMode == AlphaMode::blend || !material.isSeen()) continue;
         const bool alphaTest = material.alphaMode == AlphaMode::mask;
         const gl::Program& used = program({alphaTest, std::isfinite(slice.far)});
         used.use();

@@ -47,8 +47,9 @@ class OppositeVertexSource : public RecordSource {
     static Made uploaded(const LoadedScene& loaded, const Batch& batch, const BatchShadow& shadow,
                          SidesLayout layout) {
         std::vector<glm::vec4> corners;
-        if (loaded.settings.castMasked) {
-            const Casters casters = castersOf(batch, loaded.scene.materials, true);
+        if (loaded.mayHaveHoles()) {
+            const Casters casters =
+                castersOf(batch, loaded.scene.materials, loaded.settings.castMasked);
             corners = alphaCorners(batch, casters, weldCasters(batch, casters));
         }
         return std::make_shared<ShadowBuffers>(uploadShadow(shadow, corners, layout));
@@ -66,9 +67,9 @@ class TriangleSource : public RecordSource {
     }
 
     Made ofBatch(const LoadedScene& loaded, const Batch& batch, SidesLayout layout) const override {
-        const bool castMasked = loaded.settings.castMasked;
-        const Casters casters = castersOf(batch, loaded.scene.materials, castMasked);
-        return uploaded(batch, casters, weldCasters(batch, casters), castMasked, layout);
+        const Casters casters =
+            castersOf(batch, loaded.scene.materials, loaded.settings.castMasked);
+        return uploaded(batch, casters, weldCasters(batch, casters), loaded.mayHaveHoles(), layout);
     }
 
     Made ofGroup(const Batch& batch, const GroupTopology& topology, bool alphaTested, std::uint32_t,

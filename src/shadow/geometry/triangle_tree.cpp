@@ -19,8 +19,21 @@ glm::dvec3 middleOf(const Geometry& geometry, std::size_t triangle) {
     return 0.5 * (low + high);
 }
 
-/// The triangles along the Morton curve.
-std::vector<std::uint32_t> alongCurve(const Geometry& geometry, Threads threads) {
+/// Removes the triangles that a section cuts away.
+void keepSeen(const Geometry& geometry, const std::vector<Material>& materials,
+              std::vector<Keyed<2>>& triangles) {
+    std::vector<std::uint8_t> away(geometry.indices.size() / 3, 0);
+    for (const SurfaceGroup& group : geometry.groups)
+        if (group.material < materials.size() && !materials[group.material].isSeen())
+            std::fill_n(away.begin() + group.firstIndex / 3, group.indexCount / 3, 1);
+    triangles.erase(std::remove_if(triangles.begin(), triangles.end(),
+                                   [&](const Keyed<2>& item) { return away[item.number] != 0; }),
+                    triangles.end());
+}
+
+/// The visible triangles along the Morton curve.
+std::vector<std::uint32_t> alongCurve(const Geometry& geometry,
+                                      const std::vector<Material>& materials, Threads threads) {
     const std::size_t count = geometry.indices.size() / 3;
     Box all;
     for (const glm::vec3& position : geometry.positions)
@@ -30,8 +43,11 @@ std::vector<std::uint32_t> alongCurve(const Geometry& geometry, Threads threads)
         order[t] = {mortonKey(mortonCode(middleOf(geometry, t), all)),
                     static_cast<std::uint32_t>(t)};
     });
+    if (std::any_of(materials.begin(), materials.end(),
+                    [](const Material& material) { return !material.isSeen(); }))
+        keepSeen(geometry, materials, order);
     radixSort(order, threads);
-    std::vector<std::uint32_t> triangles(count);
+    std::vector<std::uint32_t> triangles(order.size());
     std::transform(order.begin(), order.end(), triangles.begin(),
                    [](const Keyed<2>& item) { return item.number; });
     return triangles;
@@ -53,7 +69,7 @@ std::vector<std::uint8_t> singleSidedOf(const Geometry& geometry,
 
 TriangleTree::TriangleTree(const Geometry& geometry, const std::vector<Material>& materials,
                            Threads threads)
-    : triangles_(alongCurve(geometry, threads)),
+    : triangles_(alongCurve(geometry, materials, threads)),
       boxes_((triangles_.size() + leafSize - 1) / leafSize), cones_(boxes_.groups()) {
     refit(geometry, materials);
 }

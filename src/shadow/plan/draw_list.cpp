@@ -108,7 +108,9 @@ class ClusterDraws {
                 const MaterialCasters& group = shadow_.groups[g];
                 const Material& material = materials[group.material];
                 // BLEND casters are not in the depth buffer; their caps stay in place.
-                if (material.doubleSided || material.alphaMode == AlphaMode::blend) continue;
+                if (material.doubleSided || material.alphaMode == AlphaMode::blend ||
+                    !material.isSeen())
+                    continue;
                 std::optional<std::size_t> alphaTested;
                 if (material.alphaMode == AlphaMode::mask) alphaTested = group.material;
                 appendCulledCaps(c, {group.firstCap - cluster.caps.first, group.capCount},

@@ -42,7 +42,7 @@ Camera framingCamera(const Scene& scene, double fovDegrees, double aspect,
     const double tangentY = tangentOfHalfFov(fovDegrees) / margin;
     Spread across(tangentY * aspect), upward(tangentY);
     double nearest = -std::numeric_limits<double>::infinity();
-    for (const Batch& batch : scene.batches) {
+    for (const Batch& batch : scene.whole().batches) {
         if (batch.ground || batch.hidden) continue;
         for (const glm::vec3& position : batch.geometry->positions) {
             const glm::dvec3 world(batch.worldFromBatch * glm::dvec4(position, 1.0));

@@ -1,0 +1,263 @@
+#include "preprocess/section/cut_scene.hpp"
+
+#include "preprocess/mesh/components.hpp"
+#include "preprocess/mesh/topology.hpp"
+#include "preprocess/section/section_fill.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <utility>
+
+namespace edgeshade {
+namespace {
+
+Box boundsOf(const Geometry& geometry) {
+    Box box;
+    for (const glm::vec3& position : geometry.positions)
+        box.add(glm::dvec3(position));
+    return box;
+}
+
+/// For each triangle of a geometry, whether it bounds a solid: a closed, opaque component.
+std::vector<std::uint8_t> findSolidTriangles(const Batch& batch,
+                                             const std::vector<Material>& materials) {
+    const Geometry& geometry = *batch.geometry;
+    std::vector<std::uint8_t> solid(geometry.indices.size() / 3, 0);
+    Casters opaque;
+    std::vector<std::uint32_t> numbers; // of the geometry's triangles
+    for (const SurfaceGroup& group : geometry.groups) {
+        if (!materials[group.material].casts(false)) continue;
+        for (std::uint32_t i = group.firstIndex; i < group.firstIndex + group.indexCount; ++i)
+            opaque.indices.push_back(geometry.indices[i]);
+        for (std::uint32_t t = 0; t < group.indexCount / 3; ++t)
+            numbers.push_back(group.firstIndex / 3 + t);
+    }
+    opaque.groups.push_back({0, 0, static_cast<std::uint32_t>(opaque.indices.size())});
+    const WeldedMesh mesh = weld(geometry.positions, opaque.indices);
+    const Components components = findComponents(mesh, buildEdges(mesh));
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        solid[numbers[mesh.source[t]]] = components.closed[components.ofTriangle[t]];
+    return solid;
+}
+
+} // namespace
+
+/// One cut: the section, and the materials that it adds.
+struct SceneCutter::Cutting {
+    const Section& section;
+    Scene& scene;
+    bool castMasked = false;
+    std::map<std::size_t, std::size_t> awayOf = {}; ///< by material
+    std::optional<std::size_t> fill = {};
+    std::map<const Geometry*, CopyOnWrite<Geometry>> wholly = {}; ///< geometries cut away wholly
+
+    bool keepsAway() const { return section.shadows == SectionShadows::whole; }
+
+    /// The material of what is cut away; empty if that casts nothing.
+    std::optional<std::size_t> awayMaterial(std::size_t material) {
+        const Material& of = scene.materials[material];
+        const bool mayCast = of.casts(castMasked) || of.alphaMode == AlphaMode::mask;
+        if (!keepsAway() || !mayCast || of.section == SectionPart::fill) return std::nullopt;
+        const auto [found, isNew] = awayOf.try_emplace(material, scene.materials.size());
+        if (isNew) {
+            Material away = of;
+            away.section = SectionPart::away;
+            if (away.alphaMode == AlphaMode::opaque) away.alphaMode = AlphaMode::blend;
+            scene.materials.push_back(away);
+        }
+        return found->second;
+    }
+
+    std::size_t fillMaterial() {
+        if (!fill) {
+            Material material;
+            material.baseColorFactor = glm::vec4(*section.fill, 1.0f);
+            material.metallic = 0.0f;
+            material.doubleSided = true;
+            if (keepsAway()) material.section = SectionPart::fill;
+            fill = scene.materials.size();
+            scene.materials.push_back(material);
+        }
+        return *fill;
+    }
+};
+
+namespace {
+
+/// Gives the vertices from `first` on, which only have positions, the attributes of a flat face.
+void completeFill(Geometry& geometry, const glm::vec3& normal,
+                  std::vector<std::array<std::uint32_t, 3>>& triangles) {
+    std::map<std::uint32_t, std::uint32_t> copies;
+    for (auto& triangle : triangles)
+        for (std::uint32_t& corner : triangle) {
+            const auto [found, isNew] =
+                copies.try_emplace(corner, static_cast<std::uint32_t>(geometry.positions.size()));
+            if (isNew) geometry.positions.push_back(geometry.positions[corner]);
+            corner = found->second;
+        }
+    const std::size_t count = geometry.positions.size();
+    geometry.normals.resize(count, normal);
+    geometry.texcoords.resize(count, glm::vec2(0.0f));
+    geometry.colors.resize(count, glm::vec4(1.0f));
+    for (std::vector<glm::vec2>& texcoords : geometry.moreTexcoords)
+        if (!texcoords.empty()) texcoords.resize(count, glm::vec2(0.0f));
+    if (!geometry.tangents.empty()) geometry.tangents.resize(count, glm::vec4(0.0f));
+}
+
+/// Collects triangles by material, with their nodes, into a geometry's indices.
+class IndexWriter {
+  public:
+    IndexWriter(const Geometry& from, Geometry& to) : from_(from), to_(to) {
+        to_.indices.clear();
+        to_.groups.clear();
+        to_.sources.clear();
+    }
+
+    void begin(std::size_t material) {
+        to_.groups.push_back({material, static_cast<std::uint32_t>(to_.indices.size()), 0});
+    }
+    /// `source`: number of the triangle that it was.
+    void add(const std::array<std::uint32_t, 3>& corners, std::uint32_t source) {
+        if (!from_.sources.empty()) addSource(nodeOf(from_, -1, 3 * source));
+        append(corners);
+    }
+    /// A triangle of no node.
+    void addFill(const std::array<std::uint32_t, 3>& corners) {
+        addSource(-1);
+        append(corners);
+    }
+    void end() {
+        if (to_.groups.back().indexCount == 0) to_.groups.pop_back();
+    }
+
+  private:
+    void addSource(int node) {
+        if (to_.sources.empty() || to_.sources.back().node != node)
+            to_.sources.push_back({static_cast<std::uint32_t>(to_.indices.size()), node});
+    }
+    void append(const std::array<std::uint32_t, 3>& corners) {
+        to_.indices.insert(to_.indices.end(), corners.begin(), corners.end());
+        to_.groups.back().indexCount += 3;
+    }
+
+    const Geometry& from_;
+    Geometry& to_;
+};
+
+/// The corners of simplified casters, cut.
+std::vector<std::uint32_t> cutIndices(const std::vector<std::uint32_t>& indices,
+                                      const std::vector<glm::dvec4>& planes, Geometry& geometry) {
+    GeometryCut cut(geometry, indices);
+    for (const glm::dvec4& plane : planes)
+        cut.cut(plane, false);
+    std::vector<std::uint32_t> kept;
+    for (const CutTriangle& triangle : cut.triangles())
+        kept.insert(kept.end(), triangle.corners.begin(), triangle.corners.end());
+    return kept;
+}
+
+/// The pieces of triangles [first, end) of the geometry; cutting keeps their order.
+std::span<const CutTriangle> piecesOf(const std::vector<CutTriangle>& pieces, std::uint32_t first,
+                                      std::uint32_t end) {
+    const auto from = [&](std::uint32_t source) {
+        return std::lower_bound(
+            pieces.begin(), pieces.end(), source,
+            [](const CutTriangle& piece, std::uint32_t of) { return piece.source < of; });
+    };
+    return {from(first), from(end)};
+}
+std::span<const CutTriangle> piecesOf(const std::vector<CutTriangle>& pieces,
+                                      const SurfaceGroup& group) {
+    return piecesOf(pieces, group.firstIndex / 3, (group.firstIndex + group.indexCount) / 3);
+}
+
+} // namespace
+
+SceneCutter::SceneCutter(Scene whole, bool castMasked)
+    : whole_(std::make_shared<const Scene>(std::move(whole))), castMasked_(castMasked) {}
+
+const std::vector<std::uint8_t>& SceneCutter::solidsOf(const Batch& batch) {
+    const auto [found, isNew] = solids_.try_emplace(&*batch.geometry);
+    if (isNew) found->second = findSolidTriangles(batch, whole_->materials);
+    return found->second;
+}
+
+Scene SceneCutter::cut(const Section& section) {
+    Scene scene = *whole_;
+    if (section.planes.empty()) return scene;
+    scene.cutFrom = CutFrom{whole_, section};
+    scene.culls = false;
+    Cutting cutting{section, scene, castMasked_};
+    for (Batch& batch : scene.batches)
+        if (!batch.ground && !batch.hidden && !batch.geometry->indices.empty())
+            cutBatch(batch, cutting);
+    return scene;
+}
+
+void SceneCutter::cutBatch(Batch& batch, Cutting& cutting) {
+    std::vector<glm::dvec4> planes;
+    for (const glm::dvec4& plane : cutting.section.planes)
+        planes.push_back(planeInBatch(plane, batch.worldFromBatch));
+    const CopyOnWrite<Geometry> before = batch.geometry;
+    const Geometry& from = *before;
+    const BoxSide side = sideOf(boundsOf(from), planes);
+    if (side == BoxSide::kept) return;
+    batch.deformation = nullptr;
+    if (side == BoxSide::away)
+        if (const auto known = cutting.wholly.find(&from); known != cutting.wholly.end()) {
+            batch.geometry = known->second;
+            return;
+        }
+    Geometry made = from;
+    made.simplifiedCasters.reset();
+    GeometryCut cut(made, from.indices, solidsOf(batch));
+    const auto firstFill = static_cast<std::uint32_t>(from.indices.size() / 3);
+    for (const glm::dvec4& plane : planes) {
+        const std::vector<CutLine> lines = cut.cut(plane, cutting.keepsAway());
+        if (!cutting.section.fill) continue;
+        std::vector<std::array<std::uint32_t, 3>> fill = fillOf(lines, plane, made);
+        completeFill(made, glm::vec3(-glm::normalize(glm::dvec3(plane))), fill);
+        for (const auto& corners : fill)
+            cut.add({corners, firstFill, true, false});
+    }
+
+    const std::vector<CutTriangle>& pieces = cut.triangles();
+    const std::span<const CutTriangle> fills = piecesOf(pieces, firstFill, firstFill + 1);
+    IndexWriter writer(from, made);
+    auto writeFill = [&, written = false]() mutable {
+        if (std::exchange(written, true) || fills.empty()) return;
+        writer.begin(cutting.fillMaterial());
+        for (const CutTriangle& piece : fills)
+            if (!piece.away) writer.addFill(piece.corners);
+        writer.end();
+    };
+    for (const SurfaceGroup& group : from.groups) {
+        // Opaque surfaces come first.
+        if (cutting.scene.materials[group.material].alphaMode != AlphaMode::opaque) writeFill();
+        writer.begin(group.material);
+        for (const CutTriangle& piece : piecesOf(pieces, group))
+            if (!piece.away) writer.add(piece.corners, piece.source);
+        writer.end();
+    }
+    writeFill();
+    for (const bool masked : {true, false})
+        for (const SurfaceGroup& group : from.groups) {
+            const AlphaMode mode = cutting.scene.materials[group.material].alphaMode;
+            if ((mode == AlphaMode::mask) != masked) continue;
+            const std::optional<std::size_t> away = cutting.awayMaterial(group.material);
+            if (!away) continue;
+            writer.begin(*away);
+            for (const CutTriangle& piece : piecesOf(pieces, group))
+                if (piece.away) writer.add(piece.corners, piece.source);
+            writer.end();
+        }
+    if (from.simplifiedCasters)
+        made.simplifiedCasters = cutting.keepsAway()
+                                     ? *from.simplifiedCasters
+                                     : cutIndices(*from.simplifiedCasters, planes, made);
+    batch.geometry = CopyOnWrite<Geometry>(std::move(made));
+    if (side == BoxSide::away) cutting.wholly.emplace(&from, batch.geometry);
+}
+
+} // namespace edgeshade

@@ -1,0 +1,183 @@
+#include "preprocess/section/geometry_cut.hpp"
+
+#include "preprocess/mesh/weld.hpp"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace edgeshade {
+namespace {
+
+double heightOver(const glm::dvec4& plane, const glm::vec3& point) {
+    return plane.x * static_cast<double>(point.x) + plane.y * static_cast<double>(point.y) +
+           plane.z * static_cast<double>(point.z) + plane.w;
+}
+
+/// The position on the edge from `a` to `b`, whose heights over the plane are on different sides.
+glm::vec3 crossingOf(glm::vec3 a, double heightOfA, glm::vec3 b, double heightOfB) {
+    if (orderedBefore(b, a)) {
+        std::swap(a, b);
+        std::swap(heightOfA, heightOfB);
+    }
+    const double share = heightOfA / (heightOfA - heightOfB);
+    const glm::vec3 at(glm::dvec3(a) + share * (glm::dvec3(b) - glm::dvec3(a)));
+    // Rounding must not leave the edge's box. Adding 0 turns -0 into 0.
+    return glm::clamp(at, glm::min(a, b), glm::max(a, b)) + 0.0f;
+}
+
+template <class Value>
+void addBetween(std::vector<Value>& values, std::uint32_t a, std::uint32_t b, float share) {
+    if (!values.empty()) values.push_back(values[a] + share * (values[b] - values[a]));
+}
+
+glm::vec3 unit(const glm::vec3& v) {
+    const float length = glm::length(v);
+    return length > 0.0f ? v / length : v;
+}
+
+/// Adds vertices on cut edges, once for each edge between two vertices.
+class EdgeCutter {
+  public:
+    EdgeCutter(Geometry& geometry, const std::vector<double>& heights)
+        : geometry_(geometry), heights_(heights) {}
+
+    /// The vertex where the edge between a kept vertex and one that isn't crosses the plane; the
+    /// kept vertex itself if it lies in the plane.
+    std::uint32_t vertexOn(std::uint32_t kept, std::uint32_t other) {
+        if (heights_[kept] == 0.0) return kept;
+        const std::uint64_t key =
+            (std::uint64_t{std::min(kept, other)} << 32) | std::max(kept, other);
+        const auto [found, isNew] =
+            made_.try_emplace(key, static_cast<std::uint32_t>(geometry_.positions.size()));
+        if (isNew) add(kept, other);
+        return found->second;
+    }
+
+  private:
+    void add(std::uint32_t a, std::uint32_t b) {
+        const double share = heights_[a] / (heights_[a] - heights_[b]);
+        const auto part = static_cast<float>(share);
+        const glm::vec3 at =
+            crossingOf(geometry_.positions[a], heights_[a], geometry_.positions[b], heights_[b]);
+        geometry_.positions.push_back(at);
+        addBetween(geometry_.normals, a, b, part);
+        if (!geometry_.normals.empty()) geometry_.normals.back() = unit(geometry_.normals.back());
+        addBetween(geometry_.texcoords, a, b, part);
+        addBetween(geometry_.colors, a, b, part);
+        for (std::vector<glm::vec2>& texcoords : geometry_.moreTexcoords)
+            addBetween(texcoords, a, b, part);
+        addTangent(a, b, part);
+    }
+
+    /// The bitangent's sign is a vertex's, not a mean.
+    void addTangent(std::uint32_t a, std::uint32_t b, float share) {
+        if (geometry_.tangents.empty()) return;
+        const glm::vec4 first = geometry_.tangents[a], second = geometry_.tangents[b];
+        geometry_.tangents.emplace_back(unit(glm::mix(glm::vec3(first), glm::vec3(second), share)),
+                                        first.w);
+    }
+
+    Geometry& geometry_;
+    const std::vector<double>& heights_;
+    std::unordered_map<std::uint64_t, std::uint32_t> made_; ///< by two vertices
+};
+
+/// Whether two of the corners are at one place, so that the piece has no area.
+bool isCollapsed(const std::vector<glm::vec3>& positions, const std::array<std::uint32_t, 3>& of) {
+    const glm::vec3 &a = positions[of[0]], &b = positions[of[1]], &c = positions[of[2]];
+    return a == b || b == c || c == a;
+}
+
+/// The side of the plane that a triangle's front is on: above 0 if that is the kept one.
+double frontOver(const glm::dvec4& plane, const std::vector<glm::vec3>& positions,
+                 const std::array<std::uint32_t, 3>& corners) {
+    const glm::dvec3 a(positions[corners[0]]), b(positions[corners[1]]), c(positions[corners[2]]);
+    return glm::dot(glm::dvec3(plane), glm::cross(b - a, c - a));
+}
+
+} // namespace
+
+GeometryCut::GeometryCut(Geometry& geometry, const std::vector<std::uint32_t>& indices,
+                         const std::vector<std::uint8_t>& solid)
+    : geometry_(geometry) {
+    triangles_.reserve(indices.size() / 3);
+    for (std::uint32_t i = 0; 3 * i + 2 < indices.size(); ++i)
+        triangles_.push_back({{indices[3 * i], indices[3 * i + 1], indices[3 * i + 2]},
+                              i,
+                              !solid.empty() && solid[i] != 0,
+                              false});
+}
+
+std::vector<CutLine> GeometryCut::cut(const glm::dvec4& plane, bool keepsAway) {
+    std::vector<double> heights;
+    heights.reserve(geometry_.positions.size());
+    for (const glm::vec3& position : geometry_.positions)
+        heights.push_back(heightOver(plane, position));
+    EdgeCutter cutter(geometry_, heights);
+    std::vector<CutLine> lines;
+    const auto addLine = [&](const CutTriangle& whole, std::uint32_t from, std::uint32_t to) {
+        if (whole.solid && !whole.away && geometry_.positions[from] != geometry_.positions[to])
+            lines.push_back({from, to});
+    };
+    std::vector<CutTriangle> pieces;
+    pieces.reserve(triangles_.size());
+    const auto addPiece = [&](const CutTriangle& whole, std::uint32_t a, std::uint32_t b,
+                              std::uint32_t c, bool isKept) {
+        const CutTriangle piece{{a, b, c}, whole.source, whole.solid, whole.away || !isKept};
+        if ((isKept || keepsAway) && !isCollapsed(geometry_.positions, piece.corners))
+            pieces.push_back(piece);
+    };
+    for (const CutTriangle& whole : triangles_) {
+        const auto height = [&](std::size_t c) { return heights[whole.corners[c]]; };
+        const auto isKept = [&](std::size_t c) { return height(c) >= 0.0; };
+        const int kept = int{isKept(0)} + int{isKept(1)} + int{isKept(2)};
+        if (kept == 3 || kept == 0) {
+            const bool bounds = whole.solid && height(0) == 0.0 && height(1) == 0.0 &&
+                                height(2) == 0.0 &&
+                                frontOver(plane, geometry_.positions, whole.corners) > 0.0;
+            for (std::size_t c = 0; bounds && c < 3; ++c)
+                addLine(whole, whole.corners[(c + 1) % 3], whole.corners[c]);
+            const bool stays = kept == 3 && !bounds;
+            if (stays || keepsAway) {
+                pieces.push_back(whole);
+                pieces.back().away = whole.away || !stays;
+            }
+            continue;
+        }
+        // Turn the triangle so that its first corner is alone on its side.
+        const bool aloneIsKept = kept == 1;
+        const std::size_t alone = isKept(0) == aloneIsKept ? 0 : isKept(1) == aloneIsKept ? 1 : 2;
+        const std::uint32_t a = whole.corners[alone], b = whole.corners[(alone + 1) % 3],
+                            c = whole.corners[(alone + 2) % 3];
+        const std::uint32_t ab = aloneIsKept ? cutter.vertexOn(a, b) : cutter.vertexOn(b, a),
+                            ac = aloneIsKept ? cutter.vertexOn(a, c) : cutter.vertexOn(c, a);
+        addPiece(whole, a, ab, ac, aloneIsKept);
+        addPiece(whole, ab, b, c, !aloneIsKept);
+        addPiece(whole, ab, c, ac, !aloneIsKept);
+        aloneIsKept ? addLine(whole, ab, ac) : addLine(whole, ac, ab);
+    }
+    triangles_ = std::move(pieces);
+    return lines;
+}
+
+glm::dvec4 planeInBatch(const glm::dvec4& plane, const glm::dmat4& worldFromBatch) {
+    return glm::transpose(worldFromBatch) * plane;
+}
+
+BoxSide sideOf(const Box& box, const std::vector<glm::dvec4>& planes) {
+    BoxSide side = BoxSide::kept;
+    for (const glm::dvec4& plane : planes) {
+        const glm::dvec3 normal(plane), middle = box.center();
+        const glm::dvec3 half = 0.5 * (box.high - box.low);
+        const double height = glm::dot(normal, middle) + plane.w;
+        // Coordinates are floats, so that their rounding is far below this share.
+        const double reach =
+            glm::dot(glm::abs(normal), half) * (1.0 + 1e-9) +
+            1e-12 * (glm::dot(glm::abs(normal), glm::abs(middle)) + std::abs(plane.w));
+        if (height < -reach) return BoxSide::away;
+        if (height <= reach) side = BoxSide::crossed;
+    }
+    return side;
+}
+
+} // namespace edgeshade
