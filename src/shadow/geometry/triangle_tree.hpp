@@ -10,8 +10,8 @@
 namespace edgeshade {
 
 /// Boxes around the visible triangles of a geometry, in leaves of eight neighbours, and cones of
-/// their normals. Takes 12 bytes a triangle. It holds no positions, so that it is right only for the
-/// geometry, and the sides of its materials, that it was made from or refitted to.
+/// their normals. Takes 12 bytes a triangle. It holds no positions, so that it is right only for
+/// the geometry, and the sides of its materials, that it was made from or refitted to.
 class TriangleTree {
   public:
     static constexpr std::size_t leafSize = 8;
