@@ -74,6 +74,9 @@ void addMaterial(const GpuScene& scene, const SurfaceChunk& chunk, const Surface
 void addDefines(const SurfaceLook& look, std::vector<std::string>& defines) {
     using Texture = SurfaceLook::Texture;
     if (look.material) addDefines(*look.material, defines);
+    const int sets =
+        look.takes(0) | look.takes(1) << 1 | (look.takes(2) || look.takes(3) ? 1 : 0) << 2;
+    defines.push_back("TEXCOORDS " + std::to_string(sets));
     gl::addDefines(defines, {{"ALPHA_TEST", look.alphaMode == AlphaMode::mask},
                              {"BLENDED", look.alphaMode == AlphaMode::blend},
                              {"PLAIN", look.plain},

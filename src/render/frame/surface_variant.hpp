@@ -29,6 +29,11 @@ struct SurfaceLook {
     bool catcher = false; ///< shows the background, darker in shadow
     bool linear = false;  ///< writes linear light, not display colours
 
+    /// Whether any texture uses this set of coordinates.
+    bool takes(int channel) const {
+        return (channel == 0 && texture != Texture::none) || (material && material->takes(channel));
+    }
+
     std::strong_ordering operator<=>(const SurfaceLook&) const = default;
 };
 
