@@ -1,6 +1,7 @@
 // Fans of silhouette edges as caps cover the same pixels as caps of all casting triangles, and take
 // fewer vertices.
 #include "src/gl/headless_context.hpp"
+#include "tests/support/bounded_frame.hpp"
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
@@ -126,12 +127,12 @@ TEST_P(FannedCaps, CoverWhatTrianglesDo) {
         const Camera camera{eye, to, random.uniform(30, 100)};
         DepthChoice depth;
         depth.near = 0.25;
-        FrameView view = makeFrameView(loaded.scene, loaded.settings.castMasked,
-                                       {frustumOf(camera, static_cast<double>(width) / height),
-                                        width,
-                                        height,
-                                        {light},
-                                        depth});
+        FrameView view = test::boundedFrame(loaded.scene, loaded.settings.castMasked,
+                                            {frustumOf(camera, static_cast<double>(width) / height),
+                                             width,
+                                             height,
+                                             {light},
+                                             depth});
         view.mask = true;
 
         const PlanView planned = planView(view, view.slices.back(), light, placing);

@@ -3,6 +3,7 @@
 #include "src/gl/headless_context.hpp"
 #include "src/scene/gpu_scene.hpp"
 #include "src/shadow/layers/layer_search.hpp"
+#include "tests/support/bounded_frame.hpp"
 #include "tests/support/loaded_scene.hpp"
 #include "tests/support/mask_case.hpp"
 #include "tests/support/scene_builder.hpp"
@@ -190,8 +191,8 @@ TEST(Instances, SeeASunFromOneDirectionWithOneList) {
         settings.layout = SidesLayout::notInstanced;
         Renderer renderer(settings, context.capabilities());
         GpuScene gpu = uploadScene(loaded, renderer.settings().records(), context.capabilities());
-        renderer.draw(
-            gpu, makeFrameView(loaded.scene, false, {frustumOf(aside, 1.0), 64, 64, {light}, {}}));
+        renderer.draw(gpu, test::boundedFrame(loaded.scene, false,
+                                              {frustumOf(aside, 1.0), 64, 64, {light}, {}}));
         return renderer.volumes()->silhouettes()->made();
     };
     EXPECT_EQ(listsFor(sun({0.4, 1, 0.3})), 2u) << "the floor has one, too";

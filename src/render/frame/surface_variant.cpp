@@ -22,8 +22,7 @@ LightArrival arrivalOf(const SurfaceShading& shading) {
 ShadowSource::Softness softnessOf(const ShadowMapLookup& map) {
     using Softness = ShadowSource::Softness;
     if (!map.soft) return Softness::hard;
-    if (!map.pcss) return Softness::filtered;
-    return map.pcss->rectangle ? Softness::pcssRectangle : Softness::pcss;
+    return map.pcss ? Softness::pcss : Softness::filtered;
 }
 
 ShadowSource shadowSourceOf(const SurfaceShading& shading, const SidedChunk* sided) {
@@ -31,6 +30,7 @@ ShadowSource shadowSourceOf(const SurfaceShading& shading, const SidedChunk* sid
     if (shading.map) {
         source.map = shading.map->defines;
         source.softness = softnessOf(*shading.map);
+        if (shading.map->pcss) source.pcssShape = shading.map->pcss->shape;
     }
     if (shading.primitives)
         source.primitives = {shading.primitives->kind, shading.primitives->longestList,
@@ -113,10 +113,10 @@ void addDefines(const ShadowSource& shadow, std::vector<std::string>& defines) {
                                  {"PRIMITIVE_MAP_POINTS", of->points},
                                  {"PRIMITIVE_MAP_TINT", of->tint}});
     }
+    if (shadow.softness == Softness::pcss)
+        defines.push_back("PCSS " + std::to_string(static_cast<int>(shadow.pcssShape)));
     gl::addDefines(defines, {{"MAP", shadow.map != nullptr},
                              {"SOFT_MAP", shadow.softness != Softness::hard},
-                             {"PCSS", shadow.softness >= Softness::pcss},
-                             {"PCSS_RECTANGLE", shadow.softness == Softness::pcssRectangle},
                              {"SIDED", shadow.sided},
                              {"SELF_SHADOWED", shadow.selfShadowed},
                              {"COARSE_MASK", shadow.coarse},

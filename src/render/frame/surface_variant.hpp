@@ -61,7 +61,7 @@ struct LightArrival {
 /// Where the light's shadow comes from.
 struct ShadowSource {
     /// How the map is filtered; all but `hard` are for lights with an extent.
-    enum class Softness { hard, filtered, pcss, pcssRectangle };
+    enum class Softness { hard, filtered, pcss };
     struct Primitives {
         GpuPrimitiveMap::Kind kind;
         int longestList;
@@ -72,6 +72,7 @@ struct ShadowSource {
 
     const std::vector<std::string>* map = nullptr; ///< ShadowMapLookup::defines; null: no map
     Softness softness = Softness::hard;
+    LightExtent::Shape pcssShape = LightExtent::Shape::sphere;
     std::optional<Primitives> primitives;
     bool sided = false;        ///< vertices know which side faces the light
     bool selfShadowed = false; ///< dark where the normal faces away from the light

@@ -135,13 +135,6 @@ void FrameView::divide(std::optional<int> count) {
     if (!frustum.orthographic) divideDepth(near(), farthestDepth, count, slices);
 }
 
-FrameView makeFrameView(const Scene& scene, bool castMasked, const FrameRequest& request) {
-    FrameView view = makeFrameView(scene, request, worldBounds(scene));
-    for (FrameLight& of : view.lights)
-        of.layers = boundByTriangles(scene, castMasked, of.counted(), stencilLimit);
-    return view;
-}
-
 FrameView pointsView(const FrameView& view, std::size_t light, std::size_t first,
                      std::size_t count) {
     FrameView result = view;
