@@ -7,6 +7,7 @@
 #include "src/gl/headless_context.hpp"
 #include "src/render/drawing/attributes.hpp"
 #include "tests/environment/sky.hpp"
+#include "tests/support/environment_lookup.hpp"
 #include "tests/support/hdr_writing.hpp"
 
 #include <gtest/gtest.h>
@@ -38,9 +39,9 @@ std::string fragmentSource() {
 varying vec4 v_query;
 void main() {
 #ifdef DIFFUSE
-    vec3 radiance = environmentDiffuse(v_query.xyz);
+    vec3 radiance = test::environmentDiffuse(v_query.xyz);
 #else
-    vec3 radiance = environmentSpecular(v_query.xyz, v_query.w);
+    vec3 radiance = test::environmentSpecular(v_query.xyz, v_query.w);
 #endif
     float number = dot(radiance, vec3(0.2, 0.3, 0.5)) / 32.0 * 255.0;
     gl_FragColor = vec4(floor(number) / 255.0, fract(number), 0.0, 1.0);
@@ -121,8 +122,8 @@ TEST(GpuEnvironment, ReflectionsAreAsOnTheProcessor) {
         float worst = 0.0f, sum = 0.0f;
         for (std::size_t i = 0; i < queries.size(); ++i) {
             const glm::vec4& query = queries[i].query;
-            const float expected =
-                glm::dot(environmentSpecular(environment, glm::vec3(query), query.w), channels);
+            const float expected = glm::dot(
+                test::environmentSpecular(environment, glm::vec3(query), query.w), channels);
             // Some GLs filter to 8 bits: the multiplier, 64 or more, and the colour are off by one.
             const float error = std::abs(numbers[i] - expected);
             ASSERT_LT(error, 0.04f * expected + 0.002f)
@@ -144,7 +145,7 @@ TEST(GpuEnvironment, DiffuseLightIsAsOnTheProcessor) {
     for (std::size_t i = 0; i < queries.size(); ++i)
         ASSERT_NEAR(
             numbers[i],
-            glm::dot(environmentDiffuse(environment, glm::vec3(queries[i].query)), channels),
+            glm::dot(test::environmentDiffuse(environment, glm::vec3(queries[i].query)), channels),
             0.002f);
 }
 

@@ -4,6 +4,7 @@
 #include "tests/support/bounded_frame.hpp"
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/headless.hpp"
+#include "tests/support/planned_volumes.hpp"
 #include "tests/support/scene_builder.hpp"
 
 #include <glm/gtc/constants.hpp>
@@ -137,7 +138,7 @@ TEST_P(FannedCaps, CoverWhatTrianglesDo) {
 
         const PlanView planned = planView(view, view.slices.back(), light, placing);
         bool allowed = false;
-        for (const ClusterPlan& draw : planVolumes(*loaded.planePairs[0], planned).drawn)
+        for (const ClusterPlan& draw : test::planVolumes(*loaded.planePairs[0], planned).drawn)
             allowed = allowed || (draw.fannedCaps && (draw.frontCaps || draw.backCaps));
         const Drawn proposed = drawnWith(SilhouetteChoice::proposed, GetParam(), loaded, view);
         const Drawn all = drawnWith(SilhouetteChoice::all, GetParam(), loaded, view);

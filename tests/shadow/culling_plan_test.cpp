@@ -26,8 +26,10 @@ CountPlan planOf(const SceneBuilder& builder, const glm::dvec3& light, bool cull
     request.depth = {0.1, 1};
     const FrameView view = test::boundedFrame(scene, false, request);
     KeptSolids solids;
-    return planCount(test::placedShadows(scene), scene.materials, view, view.slices.front(), 0,
-                     {23, nullptr, &solids});
+    CountPlan plan;
+    planCount(test::placedShadows(scene), scene.materials, view, view.slices.front(), 0,
+              {23, nullptr, &solids}, plan);
+    return plan;
 }
 
 const ClusterPlan& onlyCluster(const CountPlan& plan) {

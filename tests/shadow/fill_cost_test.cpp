@@ -104,8 +104,8 @@ struct Planned {
         PlanSettings settings;
         settings.silhouettes = &silhouettes;
         silhouettes.beginFrame(nullptr);
-        plan = planCount(test::placedShadows(scene), scene.materials, view, view.slices.front(), 0,
-                         settings);
+        planCount(test::placedShadows(scene), scene.materials, view, view.slices.front(), 0,
+                  settings, plan);
         fill = fillOf(plan, view, view.slices.front(), whole);
     }
 };

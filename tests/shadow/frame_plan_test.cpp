@@ -48,14 +48,15 @@ std::unique_ptr<Planned> planned(const Scene& scene, const Camera& camera,
     PlanSettings settings;
     if (choice == Choice::potential) settings.silhouettes = &result->silhouettes;
     result->silhouettes.beginFrame(nullptr);
-    result->frame = planFrame(
-        {.view = result->view,
-         .open = {0, 0, 64, 64},
-         .groupCount = [&](std::size_t light) { return light == 0 ? groups : 1; },
-         .planCount =
-             [&](const DepthSlice& slice, std::size_t light, std::size_t, CountPlan& plan) {
-                 planCount(casters, scene.materials, result->view, slice, light, settings, plan);
-             }});
+    planFrame({.view = result->view,
+               .open = {0, 0, 64, 64},
+               .groupCount = [&](std::size_t light) { return light == 0 ? groups : 1; },
+               .planCount =
+                   [&](const DepthSlice& slice, std::size_t light, std::size_t, CountPlan& plan) {
+                       planCount(casters, scene.materials, result->view, slice, light, settings,
+                                 plan);
+                   }},
+              result->frame);
     return result;
 }
 

@@ -86,12 +86,6 @@ double fittedNear(double nearest, double diagonal) {
                                   : std::max(0.01 * diagonal, smallest);
 }
 
-std::vector<DepthSlice> divideDepth(double near, double farthest, std::optional<int> count) {
-    std::vector<DepthSlice> slices;
-    divideDepth(near, farthest, count, slices);
-    return slices;
-}
-
 void divideDepth(double near, double farthest, std::optional<int> count,
                  std::vector<DepthSlice>& result) {
     const double ratio = std::max(1.0, farthest / near);

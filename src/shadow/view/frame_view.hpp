@@ -140,7 +140,6 @@ FrameView shadedByPoints(const FrameView& view);
 
 /// Divides [near, farthest] into slices of equal ratios, from far to near. `count`: null for as
 /// many as pay.
-std::vector<DepthSlice> divideDepth(double near, double farthest, std::optional<int> count);
 void divideDepth(double near, double farthest, std::optional<int> count,
                  std::vector<DepthSlice>& slices);
 
