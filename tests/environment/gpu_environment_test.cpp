@@ -39,9 +39,9 @@ std::string fragmentSource() {
 varying vec4 v_query;
 void main() {
 #ifdef DIFFUSE
-    vec3 radiance = test::environmentDiffuse(v_query.xyz);
+    vec3 radiance = environmentDiffuse(v_query.xyz);
 #else
-    vec3 radiance = test::environmentSpecular(v_query.xyz, v_query.w);
+    vec3 radiance = environmentSpecular(v_query.xyz, v_query.w);
 #endif
     float number = dot(radiance, vec3(0.2, 0.3, 0.5)) / 32.0 * 255.0;
     gl_FragColor = vec4(floor(number) / 255.0, fract(number), 0.0, 1.0);
