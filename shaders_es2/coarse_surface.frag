@@ -29,18 +29,13 @@ varying vec2 v_texcoord;
 varying vec4 v_color;
 #endif
 #endif
-#ifdef SLICED
-uniform float u_farthest;
-varying float v_depth;
-#endif
+#include "slice.glsl"
 
 void main() {
 #ifndef NEARNESS_ALONE
     Plane plane = planeHere(); // before any discard: derivatives need the neighbouring fragments
 #endif
-#ifdef SLICED
-    if (v_depth > u_farthest) discard;
-#endif
+    discardBeyondSlice();
 #ifdef ALPHA_TEST
     float alpha = u_baseColor.a;
 #ifdef COLORED

@@ -50,8 +50,7 @@ highp vec3 mapPoint; // the point to look up
 // compute from the picture's corner. So the rounding of a surface seen from its edge, which changes
 // much from pixel to pixel, may put a point behind it. A caster is thinner than rounding to a light
 // that lies nearly in its plane. Its points are moved off it towards the eye, which is on the
-// light's side wherever the map is queried (docs/method.md, C35). Call it first in main():
-// derivatives need the neighbouring fragments.
+// light's side wherever the map is queried (docs/method.md, C35).
 void findMapPoint() {
     mapPoint = v_mapPosition;
 #ifdef PRIMITIVE_MAP_POINTS
@@ -109,6 +108,19 @@ float seenOfLight() {
     return share.r + share.g / 255.0;
 }
 #endif
+
+// Prepares the shadow's lookup, and returns the `lit` of lightThrough(). Call it first in main(), as
+// derivatives need the neighbouring fragments.
+float lightBeforeDiscard() {
+#ifdef PRIMITIVE_MAP
+    findMapPoint();
+#endif
+#ifdef COARSE_MASK
+    return litByCoarseMask(u_casts > 0.5);
+#else
+    return 1.0;
+#endif
+}
 
 vec3 towardsLight() {
 #ifdef DIRECTIONAL

@@ -1,5 +1,6 @@
-// The share of a light's own strength that its range and cone leave at a point: 0 where it doesn't
-// reach. Variants: RANGED, the window to a range, see Light; SPOT, the factor of a spot, see Cone.
+// The share of a light's own strength that arrives at a point: 0 where it doesn't reach. Variants:
+// RANGED, the window to a range, see Light; SPOT, the factor of a spot, see Cone; FALLOFF, a light in
+// candela, which falls off with the square of the distance.
 #ifdef RANGED
 uniform float u_inverseRange;
 #endif
@@ -26,6 +27,9 @@ float lightWindow() {
     float away = aside / (squared * (1.0 + max(cosine, 0.0))) * u_inverseOuter;
     float spot = cosine > 0.0 ? clamp((1.0 - away) * u_coneScale, 0.0, 1.0) : 0.0;
     window *= spot * spot;
+#endif
+#ifdef FALLOFF
+    window /= max(dot(v_towardsLight, v_towardsLight), 1e-12);
 #endif
     return window;
 }

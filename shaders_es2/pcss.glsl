@@ -1,8 +1,8 @@
 // Percentage-closer soft shadows (Fernando 2005): how much of a light with an extent reaches a
 // fragment, by the shadow map of its centre. First it searches for the mean distance of the casters
 // in the map between the receiver and any part of the light, then it filters over the penumbra of a
-// caster at that distance. PCSS_RECTANGLE: the light is a rectangle around a point light; otherwise
-// a sphere around one or, with MAP_DIRECTIONAL, a disc. Needs the declarations of
+// caster at that distance. PCSS: the light's shape (LightExtent), 0 a sphere or 1 a rectangle around
+// a point light, or 2 a disc around a directional one. Needs the declarations of
 // shadow_map_lookup.glsl.
 const int searchTaps = 16;
 const int filterTaps = 32;
@@ -10,7 +10,7 @@ const int filterTaps = 32;
 // would be so wide that it finds everything else.
 const float nearestShare = 0.25;
 
-#ifdef PCSS_RECTANGLE
+#if PCSS == 1
 uniform vec3 u_lightAcross; // half the rectangle, in map space
 uniform vec3 u_lightUp;
 uniform vec3 u_lightFacing;
@@ -30,7 +30,7 @@ vec2 tapOnDisc(float n, float count) {
 
 // A tap of the filter, on the light; for a rectangle Roberts' sequence in a square from -1 to 1.
 vec2 filterTap(float n) {
-#ifdef PCSS_RECTANGLE
+#if PCSS == 1
     return fract((n + 0.5) * vec2(0.7548776662, 0.5698402910)) * 2.0 - 1.0;
 #else
     return tapOnDisc(n, float(filterTaps));
@@ -41,7 +41,7 @@ vec2 filterTap(float n) {
 // disc.
 vec2 searchTap(float n) {
     vec2 tap = tapOnDisc(n, float(searchTaps));
-#ifdef PCSS_RECTANGLE
+#if PCSS == 1
     tap *= length(tap) / max(abs(tap.x), abs(tap.y));
 #endif
     return tap;
@@ -49,7 +49,7 @@ vec2 searchTap(float n) {
 
 // Distance from the light's middle, as a share of the light's extent.
 float shareOfExtent(vec2 onLight) {
-#ifdef PCSS_RECTANGLE
+#if PCSS == 1
     return max(abs(onLight.x), abs(onLight.y));
 #else
     return length(onLight);
@@ -68,7 +68,7 @@ Spread spreadAt(vec3 at) {
 #ifdef MAP_DIRECTIONAL
     s.across = vec3(u_lightRadius * u_mapScale.x, 0.0, 0.0);
     s.up = vec3(0.0, u_lightRadius * u_mapScale.y, 0.0);
-#elif defined(PCSS_RECTANGLE)
+#elif PCSS == 1
     s.across = u_lightAcross;
     s.up = u_lightUp;
 #else
@@ -98,7 +98,7 @@ vec3 tapAt(Receiver r, Spread s, vec2 onLight, float spread) {
 float lightFromMap(vec3 normal, vec3 light) {
     Receiver r = receiverAt(biasedReceiver(normal, light, 1.0), normal);
     Spread s = spreadAt(r.at);
-#ifdef PCSS_RECTANGLE
+#if PCSS == 1
     if (dot(u_lightFacing, r.at) <= 0.0) return 0.0; // behind the light
 #endif
 #ifdef MAP_DIRECTIONAL

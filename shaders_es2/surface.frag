@@ -7,10 +7,10 @@
 // with colours at vertices; CATCHER, with COLORED, a ground that shows the background and the
 // shadow on it, which is the stronger the larger its vertices' alpha; ALPHA_TEST, materials with
 // cutouts; ALPHA_LOOKUP, alpha from a host's texture, which may hold it in another channel;
-// BLENDED, see-through surfaces; LINEAR, the light that is later mapped to such colours; SLICED,
-// discards whatever is deeper than u_farthest; LIGHT_LIST, all lights of a tile's list in place of
-// one light, see light_table.glsl. With LIT those of light.glsl, and PRIMITIVE_MAP_TINT, which
-// shows the contents of a primitive map's texels.
+// BLENDED, see-through surfaces; LINEAR, the light that is later mapped to such colours; SLICED, see
+// slice.glsl; LIGHT_LIST, all lights of a tile's list in place of one light, see light_table.glsl.
+// With LIT those of light.glsl, and PRIMITIVE_MAP_TINT, which shows the contents of a primitive
+// map's texels.
 #ifdef DERIVATIVES
 #extension GL_OES_standard_derivatives : enable
 #endif
@@ -69,10 +69,7 @@ float displayed(float share) { return pow(max(share, 0.0) * u_exposure, 1.0 / 2.
 #include "tone_mapping.glsl"
 #include "tone_inverse.glsl"
 #endif
-#ifdef SLICED
-uniform float u_farthest;
-varying float v_depth;
-#endif
+#include "slice.glsl"
 
 #ifdef PRIMITIVE_MAP_TINT
 // Blue where a texel's depth alone makes it dark; from green to red the more triangles the texel
@@ -131,16 +128,10 @@ float shareOfLights(vec3 normal) {
 #endif
 
 void main() {
-    float lit = 1.0;
-#ifdef COARSE_MASK
-    lit = litByCoarseMask(u_casts > 0.5); // first: derivatives need the neighbouring fragments
+#ifdef LIT
+    float lit = lightBeforeDiscard();
 #endif
-#ifdef PRIMITIVE_MAP
-    findMapPoint();
-#endif
-#ifdef SLICED
-    if (v_depth > u_farthest) discard;
-#endif
+    discardBeyondSlice();
     vec4 base = u_baseColor;
 #if defined(COLORED) && !defined(CATCHER)
     base *= v_color;

@@ -1,26 +1,29 @@
 // Visible surfaces, in every pass. The depth test EQUAL of the lit pass needs the same positions,
 // so gl_Position is invariant and depends on nothing that a variant changes. Variants LIT,
-// DIRECTIONAL, PLAIN, TEXTURED, COLORED, SPOT, MAP, PRIMITIVE_MAP, SIDED and SLICED: see
-// surface.frag and light.glsl; MATERIAL, TEXCOORDS, TEXCOORDS_1, TEXCOORDS_2 and TANGENTS: see
-// material.frag; ALPHA_LOOKUP: see surface.frag; SOFT_TERMINATOR: see terminator.glsl; LIGHT_LIST:
-// see light_table.glsl; PLANE: see coarse_plane.glsl.
+// DIRECTIONAL, PLAIN, COLORED, SPOT, MAP, PRIMITIVE_MAP, SIDED and SLICED: see surface.frag and
+// light.glsl; MATERIAL: for material.frag; TANGENTS: see material_maps.glsl; ALPHA_LOOKUP: see
+// surface.frag; SOFT_TERMINATOR: see terminator.glsl; LIGHT_LIST: see light_table.glsl; PLANE: see
+// coarse_plane.glsl. TEXCOORDS, bits: 1, the first set of texture coordinates; 2, the second; 4, the
+// third and the fourth.
 #include "extrusion.glsl"
+#ifndef TEXCOORDS
+#define TEXCOORDS 0
+#endif
 
 attribute vec3 a_position;
 #ifdef COLORED
 attribute vec4 a_color;
 #endif
-#if defined(TEXTURED) || defined(TEXCOORDS)
-#define FIRST_TEXCOORD
+#if (TEXCOORDS & 1) != 0
 attribute vec2 a_texcoord;
 #ifdef ALPHA_LOOKUP
 uniform mat3 u_texcoordTransform;
 #endif
 #endif
-#ifdef TEXCOORDS_1
+#if (TEXCOORDS & 2) != 0
 attribute vec2 a_texcoord1;
 #endif
-#ifdef TEXCOORDS_2
+#if (TEXCOORDS & 4) != 0
 attribute vec4 a_texcoord23;
 #endif
 #if defined(LIT) || defined(PLAIN) || defined(MATERIAL) || defined(LIGHT_LIST)
@@ -65,13 +68,13 @@ invariant gl_Position;
 #ifdef COLORED
 varying vec4 v_color;
 #endif
-#ifdef FIRST_TEXCOORD
+#if (TEXCOORDS & 1) != 0
 varying vec2 v_texcoord;
 #endif
-#ifdef TEXCOORDS_1
+#if (TEXCOORDS & 2) != 0
 varying vec2 v_texcoord1;
 #endif
-#ifdef TEXCOORDS_2
+#if (TEXCOORDS & 4) != 0
 varying vec4 v_texcoord23;
 #endif
 #ifdef NORMAL
@@ -109,17 +112,17 @@ void main() {
 #ifdef COLORED
     v_color = a_color;
 #endif
-#ifdef FIRST_TEXCOORD
+#if (TEXCOORDS & 1) != 0
 #ifdef ALPHA_LOOKUP
     v_texcoord = (u_texcoordTransform * vec3(a_texcoord, 1.0)).xy;
 #else
     v_texcoord = a_texcoord;
 #endif
 #endif
-#ifdef TEXCOORDS_1
+#if (TEXCOORDS & 2) != 0
     v_texcoord1 = a_texcoord1;
 #endif
-#ifdef TEXCOORDS_2
+#if (TEXCOORDS & 4) != 0
     v_texcoord23 = a_texcoord23;
 #endif
 #ifdef NORMAL

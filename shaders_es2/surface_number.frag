@@ -13,16 +13,11 @@ uniform float u_alphaCutoff;
 varying vec2 v_texcoord;
 varying float v_alpha;
 #endif
-#ifdef SLICED
-uniform float u_farthest;
-varying float v_depth;
-#endif
+#include "slice.glsl"
 varying vec3 v_number;
 
 void main() {
-#ifdef SLICED
-    if (v_depth > u_farthest) discard;
-#endif
+    discardBeyondSlice();
 #ifdef ALPHA_TEST
     if (u_alphaScale * v_alpha * dot(texture2D(u_texture, v_texcoord), u_alphaChannel) < u_alphaCutoff)
         discard;

@@ -15,6 +15,10 @@ struct Box {
         low = glm::min(low, point);
         high = glm::max(high, point);
     }
+    void add(const Box& other) {
+        low = glm::min(low, other.low);
+        high = glm::max(high, other.high);
+    }
     bool holds(const glm::dvec3& point) const {
         return glm::all(glm::lessThanEqual(low, point)) &&
                glm::all(glm::lessThanEqual(point, high));

@@ -95,10 +95,8 @@ std::vector<Part> componentParts(const CasterMesh& mesh, const std::vector<Float
             }
     }
     Box all;
-    for (const Part& part : parts) {
-        all.add(part.bounds.low);
-        all.add(part.bounds.high);
-    }
+    for (const Part& part : parts)
+        all.add(part.bounds);
     for (std::size_t i = 0; i < parts.size(); ++i) {
         parts[i].closed = components.closed[i] && !parts[i].alphaTested;
         parts[i].place = mortonCode(parts[i].bounds.center(), all);
@@ -140,8 +138,7 @@ std::vector<TriangleCluster> clustersOf(const std::vector<Part>& parts, Threads 
         end += part.triangles;
         cluster.triangles.end = end;
         ++cluster.components;
-        cluster.bounds.add(part.bounds.low);
-        cluster.bounds.add(part.bounds.high);
+        cluster.bounds.add(part.bounds);
         clusterOf[item.number] = static_cast<std::uint32_t>(clusters.size() - 1);
     }
     return clusters;

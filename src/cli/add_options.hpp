@@ -46,6 +46,12 @@ CLI::Option* addText(CLI::App& verb, const std::string& name, Text& text) {
     return addOption(verb, name, [&text](const std::string& typed) { text = typed; });
 }
 
+/// The option may be repeated.
+inline CLI::Option* addTexts(CLI::App& verb, const std::string& name,
+                             std::vector<std::string>& texts) {
+    return addRepeated(verb, name, [&texts](const std::string& typed) { texts.push_back(typed); });
+}
+
 /// `number`: of any type; a word empties an optional one.
 template <class Number>
 CLI::Option* addNumber(CLI::App& verb, const std::string& name, Number& number) {

@@ -185,7 +185,7 @@ void addBenchCommand(CLI::App& program) {
     CLI::App* verb =
         program.add_subcommand("bench", "Time the frames of a flight through a scene, by stage");
     const auto options = std::make_shared<BenchOptions>();
-    verb->add_option("FILE", options->input, "The scene, .gltf or .glb, packed or not");
+    addSceneFile(*verb, *options);
     verb->add_flag("--synthetic", options->synthetic);
     addNumber(*verb, "--frames", options->frames);
     addNumber(*verb, "--warm-up", options->warmUp);
@@ -193,8 +193,7 @@ void addBenchCommand(CLI::App& program) {
     addNumber(*verb, "--light-circle", options->circle)->needs("--light-moves");
     CLI::Option* const sizes = addOption(
         *verb, "--sizes", [options](const std::string& text) { options->sizes = sizesFrom(text); });
-    addRepeated(*verb, "--against",
-                [options](const std::string& text) { options->against.push_back(text); });
+    addTexts(*verb, "--against", options->against);
     addWords(*verb, "--timing", options->timing, timings);
     addSceneOptions(*verb, *options);
     replaceLightsOption(*verb, *options);

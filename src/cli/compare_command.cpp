@@ -231,11 +231,10 @@ void addCompareCommand(CLI::App& program) {
     CLI::App* verb =
         program.add_subcommand("compare", "Count the pixels that a ray-traced oracle calls wrong");
     const auto options = std::make_shared<CompareOptions>();
-    verb->add_option("FILE", options->input, "The scene, .gltf or .glb, packed or not")->required();
+    addSceneFile(*verb, *options)->required();
     CLI::Option* const views = addNumber(*verb, "--views", options->views);
     addText(*verb, "--heatmap", options->heatmap);
-    addRepeated(*verb, "--against",
-                [options](const std::string& text) { options->against.push_back(text); });
+    addTexts(*verb, "--against", options->against);
     addSceneOptions(*verb, *options);
     addDrawOptions(*verb, options->settings);
     addText(*verb, "--report", options->report);

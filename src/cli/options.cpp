@@ -97,6 +97,10 @@ void addLimitOptions(CLI::App& verb, ReadingLimits& limits) {
     addNumber(verb, "--max-node-depth", limits.nodeDepth);
 }
 
+CLI::Option* addSceneFile(CLI::App& verb, SceneOptions& options) {
+    return verb.add_option("FILE", options.input, "The scene, .gltf or .glb, packed or not");
+}
+
 void addSceneOptions(CLI::App& verb, SceneOptions& options) {
     addUnlitSceneOptions(verb, options);
     addLightOptions(verb, options.view.lights);

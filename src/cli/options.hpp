@@ -89,6 +89,7 @@ std::pair<int, int> sizeFrom(const std::string& text, const std::string& option)
 void addCasterOptions(CLI::App& verb, CasterOptions& options);
 void addCasterChanges(CLI::App& verb, CasterChanges& changes);
 void addLimitOptions(CLI::App& verb, ReadingLimits& limits);
+CLI::Option* addSceneFile(CLI::App& verb, SceneOptions& options);
 void addSceneOptions(CLI::App& verb, SceneOptions& options);
 /// All except lights.
 void addUnlitSceneOptions(CLI::App& verb, SceneOptions& options);

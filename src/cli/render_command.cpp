@@ -252,7 +252,7 @@ void addRenderCommand(CLI::App& program) {
     CLI::App* verb =
         program.add_subcommand("render", "Draw one picture of a scene, without a display");
     const auto options = std::make_shared<RenderOptions>();
-    verb->add_option("FILE", options->input, "The scene, .gltf or .glb, packed or not")->required();
+    addSceneFile(*verb, *options)->required();
     verb->add_option("OUT", options->output, "The picture, .png")->required();
     verb->add_flag("--mask", options->mask);
     addSetting(*verb, settings::smooth, options->subpixels);

@@ -211,7 +211,7 @@ void addSunHoursCommand(CLI::App& program) {
         "sunhours",
         "Count the hours of sunlight on each visible surface, as a picture and a report");
     const auto options = std::make_shared<SunHoursOptions>();
-    verb->add_option("FILE", options->input, "The scene, .gltf or .glb, packed or not")->required();
+    addSceneFile(*verb, *options)->required();
     verb->add_option("OUT", options->files.picture, "The picture, .png, or the part of --part")
         ->required();
     addSunHoursOptions(*verb, *options);

@@ -103,7 +103,7 @@ void addTradeoffCommand(CLI::App& program) {
         "tradeoff",
         "Weigh the time of each setting against its wrong pixels, and find the best one");
     const auto options = std::make_shared<TradeoffOptions>();
-    verb->add_option("FILE", options->input, "The scene, .gltf or .glb, packed or not")->required();
+    addSceneFile(*verb, *options)->required();
     addText(*verb, "--plot", options->plot);
     addNumber(*verb, "--budget-ms", options->budgetMs);
     addNumber(*verb, "--max-wrong-percent", options->maxWrongPercent);
@@ -111,8 +111,7 @@ void addTradeoffCommand(CLI::App& program) {
     CLI::Option* const views = addNumber(*verb, "--views", options->views);
     addNumber(*verb, "--time-limit", options->timeLimit);
     addNumber(*verb, "--largest-map", options->largestMap);
-    addRepeated(*verb, "--against",
-                [options](const std::string& text) { options->against.push_back(text); });
+    addTexts(*verb, "--against", options->against);
     verb->add_flag("--light-moves", options->lightMoves);
     addWords(*verb, "--timing", options->timing, timings);
     addSceneOptions(*verb, *options);

@@ -149,7 +149,7 @@ void addViewCommand(CLI::App& program) {
     CLI::App* verb =
         program.add_subcommand("view", "Show a scene in a window; its key H lists the keys");
     const auto options = std::make_shared<WindowOptions>();
-    verb->add_option("FILE", options->input, "The scene, .gltf or .glb, packed or not");
+    addSceneFile(*verb, *options);
     addText(*verb, "--screenshot", options->screenshot)->needs(verb->get_option("FILE"));
     addSceneOptions(*verb, *options);
     addDrawOptions(*verb, options->settings);

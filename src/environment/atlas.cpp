@@ -58,16 +58,4 @@ void Atlas::setLevel(int level, const OctahedralMap& map) {
         }
 }
 
-glm::vec4 Atlas::filtered(const glm::vec2& texel) const {
-    const glm::vec2 from = texel - 0.5f;
-    const glm::ivec2 first(from);
-    const glm::vec2 share = from - glm::vec2(first);
-    const auto stored = [&](int x, int y) {
-        const std::uint8_t* bytes = rgba_.data() + offsetOf(first.x + x, first.y + y);
-        return glm::vec4(bytes[0], bytes[1], bytes[2], bytes[3]) / 255.0f;
-    };
-    return glm::mix(glm::mix(stored(0, 0), stored(1, 0), share.x),
-                    glm::mix(stored(0, 1), stored(1, 1), share.x), share.y);
-}
-
 } // namespace edgeshade

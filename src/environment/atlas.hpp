@@ -36,11 +36,7 @@ class Atlas {
     /// Encodes a map of mapSize(level).
     void setLevel(int level, const OctahedralMap& map);
 
-    /// The GL's linear filtering between texels: each channel by itself, 0 to 1. `texel` counts
-    /// from the first texel's corner and is at least 1/2 away from the atlas' edges.
-    glm::vec4 filtered(const glm::vec2& texel) const;
-
-    /// The second argument of decodeRadiance().
+    /// The second argument of encodeRadiance().
     float largestRoot() const { return largestRoot_; }
 
     /// Texels in rows of width().

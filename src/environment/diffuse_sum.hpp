@@ -20,7 +20,7 @@ class DiffuseSum {
     /// The mean radiance, equal to the mean over all normals of irradiance / pi.
     glm::dvec3 mean() const;
 
-    /// Coefficients of irradiance / pi, for environmentDiffuse().
+    /// Coefficients of irradiance / pi, as environmentDiffuse() of environment.glsl takes them.
     DiffuseCoefficients coefficients() const;
 
   private:

@@ -25,9 +25,4 @@ std::array<std::uint8_t, 4> encodeRadiance(const glm::vec3& radiance, float larg
     return {byteOf(color.r), byteOf(color.g), byteOf(color.b), byteOf(multiplier)};
 }
 
-glm::vec3 decodeRadiance(const glm::vec4& stored, float largestRoot) {
-    const glm::vec3 root = glm::vec3(stored) * (stored.a * largestRoot);
-    return root * root;
-}
-
 } // namespace edgeshade

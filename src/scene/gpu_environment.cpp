@@ -15,8 +15,4 @@ void GpuEnvironment::bind(const gl::Program& program, int unit) const {
     program.set("u_environmentSh[0]", diffuse_);
 }
 
-std::size_t GpuEnvironment::bytes() const {
-    return std::size_t{4} * static_cast<std::size_t>(Atlas::width() * Atlas::height());
-}
-
 } // namespace edgeshade

@@ -16,8 +16,6 @@ class GpuEnvironment {
     /// atlas to this texture unit, and leaves that active.
     void bind(const gl::Program& program, int unit) const;
 
-    std::size_t bytes() const; ///< on the GPU
-
   private:
     DiffuseCoefficients diffuse_;
     float largestRoot_;

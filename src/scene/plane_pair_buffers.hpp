@@ -12,12 +12,6 @@
 
 namespace edgeshade {
 
-/// Floats per record on the GPU, as in the structs of plane_pair_data.hpp. Copies for every vertex
-/// have the corner's number in front.
-inline constexpr std::size_t pairFloats = sizeof(PairRecord) / sizeof(float);
-inline constexpr std::size_t singleFloats = sizeof(SingleRecord) / sizeof(float);
-inline constexpr std::size_t capFloats = sizeof(CapRecord) / sizeof(float);
-
 /// Some or all caps of one cluster. If copied for every vertex, all front caps come first, then all
 /// back caps; `alphaCorners` have the same order.
 struct CapBuffers {

@@ -2,6 +2,7 @@
 
 #include "preprocess/base/spare_time.hpp"
 #include "preprocess/base/stopwatch.hpp"
+#include "src/shadow/lights/light_extent.hpp"
 
 #include <algorithm>
 

@@ -4,6 +4,7 @@
 #include "src/bench/flythrough.hpp"
 #include "src/gl/headless_context.hpp"
 #include "src/rivals/rivals.hpp"
+#include "tests/support/bounded_frame.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
 
@@ -149,7 +150,8 @@ std::vector<std::uint8_t> pictureOf(ShadowMethod shadows, StageClock* clock) {
     request.width = request.height = 64;
     request.lights = {pointLight({2.0, 6.0, 3.0})};
     request.depth.slices = 1;
-    renderer.draw(scene, makeFrameView(loaded.scene, loaded.settings.castMasked, request), clock);
+    renderer.draw(scene, test::boundedFrame(loaded.scene, loaded.settings.castMasked, request),
+                  clock);
     return context.readPixels();
 }
 

@@ -91,7 +91,8 @@ void addLayers(const LoadedScene& loaded, const Box& bounds, const std::string& 
         const Light moved = light.at(light.position + glm::dvec4(step, 0.0, -step, 0.0));
         later.add([&] { return search.bound(casters, moved, stencilLimit); });
         byTriangles.add([&] {
-            return boundByTriangles(loaded.scene, casters.castMasked, moved, stencilLimit);
+            return boundByTriangles(loaded.scene, casters.castMasked, std::span(&moved, 1),
+                                    stencilLimit);
         });
     }
     told["first"][name] = first.json();

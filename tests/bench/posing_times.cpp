@@ -69,7 +69,9 @@ Json stagesOf(LoadedScene loaded, const Animation& animation) {
             LightTrack track;
             track.follow(light);
             SilhouetteList list;
-            listSilhouettes(shadow, LightFacings(shadow), track.ball(), 23, list);
+            ListMemory memory;
+            listSilhouettes(shadow, LightFacings(shadow), track.ball(), 23, list,
+                            std::numeric_limits<double>::infinity(), memory);
         }
         stages.add("silhouettes_ms", watch.lap());
         layers.bound(loaded.layerCasters(), Light{sun}, stencilLimit);

@@ -38,7 +38,9 @@ Found find(const LoadedScene& loaded, const Light& light, double radius) {
         for (int repeat = 0; repeat < repeats; ++repeat) {
             const std::clock_t start = std::clock();
             for (int run = 0; run < runsARepeat; ++run) {
-                listSilhouettes(shadow, facings, ball, 23, proposal);
+                ListMemory memory;
+                listSilhouettes(shadow, facings, ball, 23, proposal,
+                                std::numeric_limits<double>::infinity(), memory);
                 for (const PairList* list : {&proposal.certain, &proposal.uncertain})
                     gatherPairs(shadow, *list, gathered);
             }

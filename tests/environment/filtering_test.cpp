@@ -2,6 +2,7 @@
 #include "src/environment/reading.hpp"
 #include "src/environment/specular_lobe.hpp"
 #include "tests/environment/sky.hpp"
+#include "tests/support/environment_lookup.hpp"
 #include "tests/support/hdr_writing.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +26,7 @@ float worstError(const Environment& environment, const Sky& sky, float roughness
                 ? sky(glm::dvec3(direction))
                 : ggxByBruteForce(sky, glm::dvec3(direction), static_cast<double>(roughness)));
         const glm::vec3 error =
-            glm::abs(environmentSpecular(environment, direction, roughness) - expected);
+            glm::abs(test::environmentSpecular(environment, direction, roughness) - expected);
         worst = std::max({worst, error.r, error.g, error.b});
         brightest = std::max({brightest, expected.r, expected.g, expected.b});
     }
@@ -57,11 +58,11 @@ TEST(Filtering, BetweenLevelsTheyAreCloseToo) {
 TEST(Filtering, AConstantSkyIsTheSameEverywhere) {
     const Environment environment = environmentOf([](const glm::dvec3&) { return glm::dvec3(1); });
     for (const glm::vec3& direction : testDirections()) {
-        const glm::vec3 diffuse = environmentDiffuse(environment, direction);
+        const glm::vec3 diffuse = test::environmentDiffuse(environment, direction);
         for (int channel = 0; channel < 3; ++channel)
             EXPECT_NEAR(diffuse[channel], 1.0f, 1e-4f);
         for (const float roughness : {0.0f, 0.05f, 0.3f, 0.5f, 0.77f, 1.0f}) {
-            const glm::vec3 specular = environmentSpecular(environment, direction, roughness);
+            const glm::vec3 specular = test::environmentSpecular(environment, direction, roughness);
             for (int channel = 0; channel < 3; ++channel)
                 EXPECT_NEAR(specular[channel], 1.0f, 0.01f) << roughness;
         }
@@ -71,10 +72,10 @@ TEST(Filtering, AConstantSkyIsTheSameEverywhere) {
 TEST(Filtering, RoughnessBeyondItsRangeCountsAsItsEnds) {
     const Environment environment = environmentOf(lopsidedSky);
     const glm::vec3 up(0.0f, 1.0f, 0.0f);
-    EXPECT_EQ(environmentSpecular(environment, up, -1.0f),
-              environmentSpecular(environment, up, 0.0f));
-    EXPECT_EQ(environmentSpecular(environment, up, 2.0f),
-              environmentSpecular(environment, up, 1.0f));
+    EXPECT_EQ(test::environmentSpecular(environment, up, -1.0f),
+              test::environmentSpecular(environment, up, 0.0f));
+    EXPECT_EQ(test::environmentSpecular(environment, up, 2.0f),
+              test::environmentSpecular(environment, up, 1.0f));
 }
 
 TEST(SpecularLobe, SamplesStandForTheLobe) {

@@ -1,6 +1,7 @@
 #include "src/environment/neutral.hpp"
 
 #include "tests/environment/sky.hpp"
+#include "tests/support/environment_lookup.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,9 +22,9 @@ TEST(NeutralEnvironment, TheMeanOverAllDirectionsIsOne) {
 TEST(NeutralEnvironment, ItIsGreyAndBrighterAboveThanBelow) {
     const Environment environment = neutralEnvironment();
     const glm::vec3 up(0.0f, 1.0f, 0.0f);
-    const glm::vec3 above = environmentDiffuse(environment, up);
+    const glm::vec3 above = test::environmentDiffuse(environment, up);
     EXPECT_GT(above.g, 1.3f);
-    EXPECT_LT(environmentDiffuse(environment, -up).g, 0.7f);
+    EXPECT_LT(test::environmentDiffuse(environment, -up).g, 0.7f);
     EXPECT_EQ(above.r, above.b);
     EXPECT_GT(neutralRadiance(0.05f), neutralRadiance(0.5f)); // the horizon's band
     EXPECT_GT(neutralRadiance(1.0f), 2.0f * neutralRadiance(0.5f));
@@ -32,7 +33,7 @@ TEST(NeutralEnvironment, ItIsGreyAndBrighterAboveThanBelow) {
 TEST(NeutralEnvironment, DiffuseIsCloseToBruteForce) {
     const Environment environment = neutralEnvironment();
     for (const glm::vec3& normal : testDirections())
-        EXPECT_NEAR(environmentDiffuse(environment, normal).g,
+        EXPECT_NEAR(test::environmentDiffuse(environment, normal).g,
                     lambertByBruteForce(neutralSky, glm::dvec3(normal)).g, 0.04);
 }
 
@@ -46,7 +47,7 @@ TEST(NeutralEnvironment, ReflectionsAreCloseToBruteForce) {
             const double expected =
                 level == 0 ? neutralSky(d).g
                            : ggxByBruteForce(neutralSky, d, static_cast<double>(roughness)).g;
-            const float actual = environmentSpecular(environment, direction, roughness).g;
+            const float actual = test::environmentSpecular(environment, direction, roughness).g;
             worst = std::max(worst, std::abs(static_cast<double>(actual) - expected));
         }
         RecordProperty("level" + std::to_string(level), std::to_string(worst));

@@ -1,4 +1,5 @@
 #include "src/environment/radiance_encoding.hpp"
+#include "tests/support/environment_lookup.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +34,7 @@ TEST(RadianceEncoding, ErrorsAreAsSmallAsItSays) {
         for (const float size : sizesUpTo(root * root))
             for (const float share : {1.0f, 0.9f, 0.7f, 0.5f}) {
                 const glm::vec3 radiance(size, share * size, 0.5f * size);
-                const glm::vec3 decoded = decodeRadiance(storedOf(radiance, root), root);
+                const glm::vec3 decoded = test::decodeRadiance(storedOf(radiance, root), root);
                 for (int channel = 0; channel < 3; ++channel)
                     ASSERT_NEAR(decoded[channel], radiance[channel],
                                 allowed(radiance[channel], root, 0.01f))
@@ -43,10 +44,11 @@ TEST(RadianceEncoding, ErrorsAreAsSmallAsItSays) {
 
 TEST(RadianceEncoding, BlackAndTheLargestAreExact) {
     for (const float root : roots) {
-        EXPECT_EQ(decodeRadiance(storedOf(glm::vec3(0.0f), root), root), glm::vec3(0.0f));
+        EXPECT_EQ(test::decodeRadiance(storedOf(glm::vec3(0.0f), root), root), glm::vec3(0.0f));
         const float largest = root * root;
-        EXPECT_EQ(decodeRadiance(storedOf(glm::vec3(largest), root), root), glm::vec3(largest));
-        EXPECT_EQ(decodeRadiance(storedOf(glm::vec3(1e30f), root), root), glm::vec3(largest));
+        EXPECT_EQ(test::decodeRadiance(storedOf(glm::vec3(largest), root), root),
+                  glm::vec3(largest));
+        EXPECT_EQ(test::decodeRadiance(storedOf(glm::vec3(1e30f), root), root), glm::vec3(largest));
     }
 }
 
@@ -56,7 +58,7 @@ TEST(RadianceEncoding, FilteringIsCloseToLinearAndKeepsGreyGrey) {
             const glm::vec4 one = storedOf(glm::vec3(size), root);
             const glm::vec4 other = storedOf(glm::vec3(1.2f * size), root);
             for (const float share : {0.25f, 0.5f, 0.75f}) {
-                const glm::vec3 between = decodeRadiance(glm::mix(one, other, share), root);
+                const glm::vec3 between = test::decodeRadiance(glm::mix(one, other, share), root);
                 const float expected = glm::mix(size, 1.2f * size, share);
                 ASSERT_EQ(between.r, between.b);
                 // Roots are filtered: the result is below the mean by a quarter of their difference

@@ -4,6 +4,7 @@
 #include "src/environment/radiance_encoding.hpp"
 #include "src/environment/radiance_pyramid.hpp"
 #include "tests/environment/sky.hpp"
+#include "tests/support/environment_lookup.hpp"
 #include "tests/support/hdr_writing.hpp"
 #include "tests/support/input_error.hpp"
 #include "tests/support/temp_folder.hpp"
@@ -29,7 +30,7 @@ glm::vec3 brightestDirection(const Environment& environment) {
     for (int y = 0; y < grid.size(); ++y)
         for (int x = 0; x < grid.size(); ++x) {
             const glm::vec3 direction = grid.direction(x, y);
-            const float value = environmentSpecular(environment, direction, 0.0f).g;
+            const float value = test::environmentSpecular(environment, direction, 0.0f).g;
             if (value <= most) continue;
             most = value;
             best = direction;
@@ -70,8 +71,8 @@ TEST(ReadEnvironment, MeanLuminanceIsOneUnlessItIsAsStored) {
     EXPECT_NEAR(stored.diffuse[0].g, 3.0f, 0.03f);
     EXPECT_NEAR(scaled.diffuse[0].r, 9.0f / mean, 0.03f);
     const glm::vec3 up(0.0f, 1.0f, 0.0f);
-    EXPECT_NEAR(environmentSpecular(scaled, up, 0.3f).r, 9.0f / mean, 0.03f);
-    EXPECT_NEAR(environmentSpecular(stored, up, 0.3f).r, 9.0f, 0.1f);
+    EXPECT_NEAR(test::environmentSpecular(scaled, up, 0.3f).r, 9.0f / mean, 0.03f);
+    EXPECT_NEAR(test::environmentSpecular(stored, up, 0.3f).r, 9.0f, 0.1f);
 }
 
 TEST(ReadEnvironment, LargePicturesAreAveragedToTheSameLight) {
@@ -80,9 +81,10 @@ TEST(ReadEnvironment, LargePicturesAreAveragedToTheSameLight) {
     const Environment large = readEnvironment(panoramaOf(2050, 1027, sky), name);
     for (const glm::vec3& direction : testDirections())
         for (const float roughness : {0.0f, 0.2f, 0.6f}) {
-            const glm::vec3 expected = environmentSpecular(small, direction, roughness);
-            EXPECT_LT(glm::length(environmentSpecular(large, direction, roughness) - expected),
-                      0.02f * glm::length(expected) + 0.05f);
+            const glm::vec3 expected = test::environmentSpecular(small, direction, roughness);
+            EXPECT_LT(
+                glm::length(test::environmentSpecular(large, direction, roughness) - expected),
+                0.02f * glm::length(expected) + 0.05f);
         }
 }
 
@@ -98,10 +100,11 @@ TEST(ReadEnvironment, ASunKeepsItsLightInTheMap) {
         double found = 0.0;
         for (int y = 0; y < grid.size(); ++y)
             for (int x = 0; x < grid.size(); ++x)
-                found += static_cast<double>(grid.solidAngle(x, y)) *
-                         (static_cast<double>(
-                              environmentSpecular(environment, grid.direction(x, y), 1.0f).g) -
-                          0.1);
+                found +=
+                    static_cast<double>(grid.solidAngle(x, y)) *
+                    (static_cast<double>(
+                         test::environmentSpecular(environment, grid.direction(x, y), 1.0f).g) -
+                     0.1);
         EXPECT_NEAR(found / stored, 1.0, 0.2) << row;
     }
 }
@@ -113,8 +116,8 @@ TEST(ReadEnvironment, ExtremeRadianceStaysFinite) {
     for (const EnvironmentScale scale : {EnvironmentScale::meanOne, EnvironmentScale::asStored}) {
         const Environment environment = readEnvironment(hdrOf(16, 8, extreme), name, scale);
         for (const glm::vec3& direction : testDirections()) {
-            EXPECT_LT(glm::length(environmentDiffuse(environment, direction)), 1e9f);
-            EXPECT_LE(environmentSpecular(environment, direction, 0.5f).r,
+            EXPECT_LT(glm::length(test::environmentDiffuse(environment, direction)), 1e9f);
+            EXPECT_LE(test::environmentSpecular(environment, direction, 0.5f).r,
                       1.001f * largestEncodedRadiance);
         }
     }
@@ -124,7 +127,7 @@ TEST(ReadEnvironment, TheSmallestPictureIsEnough) {
     const Environment environment =
         readEnvironment(hdrOf(1, 1, [](int, int) { return glm::vec3(0.5f); }), name);
     for (const glm::vec3& direction : testDirections())
-        EXPECT_NEAR(environmentSpecular(environment, direction, 0.4f).g, 1.0f, 0.01f);
+        EXPECT_NEAR(test::environmentSpecular(environment, direction, 0.4f).g, 1.0f, 0.01f);
 }
 
 TEST(ReadEnvironment, WhatIsNoEnvironmentIsRefusedByName) {

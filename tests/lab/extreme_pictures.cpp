@@ -3,6 +3,7 @@
 #include "src/render/frame/frame.hpp"
 #include "src/render/frame/prepare_scene.hpp"
 #include "tests/lab/extreme_check.hpp"
+#include "tests/support/bounded_frame.hpp"
 
 #include <cmath>
 #include <GLES2/gl2.h>
@@ -31,7 +32,7 @@ lab::Pictures drawPictures(const Extreme& extreme, const LoadedScene& scene,
     RenderSettings shadows = settings, plain;
     shadows.layout = plain.layout = bestLayout(capabilities);
     plain.shadows = ShadowMethod::none;
-    FrameView frame = makeFrameView(
+    FrameView frame = test::boundedFrame(
         scene.scene, scene.settings.castMasked,
         {extreme.seen(), extreme.width, extreme.height, extreme.lights, extreme.depth});
     near = frame.near();

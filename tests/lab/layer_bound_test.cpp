@@ -1,4 +1,5 @@
 #include "src/shadow/layers/layer_search.hpp"
+#include "tests/support/bounded_layers.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
 
@@ -23,7 +24,7 @@ Scene stack(int sheets) {
 
 LayerBound boundOf(const Scene& scene, const Light& light, std::size_t limit) {
     const auto records = buildPlanePairs(scene, false);
-    return boundLayers({scene, records}, light, limit);
+    return test::boundLayers({scene, records}, light, limit);
 }
 
 /// Number of each group's triangles on the line from the light through a point; for a sun, on the
@@ -141,8 +142,9 @@ TEST(LayerBound, NoLineMeetsMoreTrianglesThanItSays) {
                                test::sun({0.3, 1, 0.2})}) {
         // Only the grid, then closer looks where it is too coarse, then groups.
         for (const std::size_t limit : {1000u, 20u, 5u}) {
-            for (const LayerBound& bound : {boundLayers({scene, records}, light, limit),
-                                            boundByTriangles(scene, false, light, limit)}) {
+            for (const LayerBound& bound :
+                 {test::boundLayers({scene, records}, light, limit),
+                  boundByTriangles(scene, false, std::span(&light, 1), limit)}) {
                 std::size_t mostMet = 0, mostOfOneGroup = 0;
                 for (int i = 0; i < 3000; ++i) {
                     const auto met =

@@ -2,6 +2,7 @@
 #include "src/shadow/layers/layer_search.hpp"
 #include "src/shadow/view/kept_layers.hpp"
 #include "tests/lab/line_counts.hpp"
+#include "tests/support/bounded_layers.hpp"
 #include "tests/support/generated_meshes.hpp"
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/headless.hpp"
@@ -328,7 +329,7 @@ TEST(LayerSearch, GroupsAreMadeOnlyWhereTheTruthAsksForThem) {
         for (const Light& light : {test::pointLight({1.3, 9, 0.1}), test::sun({0.1, 1, 0.2}),
                                    test::pointLight({1.5, 0.333, 0.1})}) {
             SCOPED_TRACE(count);
-            const LayerBound bound = boundLayers({scene, records}, light, 255);
+            const LayerBound bound = test::boundLayers({scene, records}, light, 255);
             const std::size_t truth = LineCounts(scene, false, light, 60).most();
             EXPECT_GE(bound.most, truth);
             EXPECT_EQ(bound.groupCount > 1, truth > 255);
@@ -341,7 +342,7 @@ TEST(LayerSearch, GroupsAreThoseOfTriangles) {
     const Scene scene = sheets(280);
     const auto records = buildPlanePairs(scene, false);
     const std::vector<Light> lights{test::pointLight({1.5, 0.01, 0.1}), test::sun({0.1, 1, 0.2})};
-    const LayerBound bound = boundLayers({scene, records}, lights, 255);
+    const LayerBound bound = test::boundLayers({scene, records}, lights, 255);
     const LayerBound byTriangles = boundByTriangles(scene, false, lights, 255);
     EXPECT_GT(bound.groupCount, 1u);
     EXPECT_EQ(bound.groupOf, byTriangles.groupOf);
@@ -354,8 +355,8 @@ TEST(LayerSearch, SeveralLightsHaveTheLargestBound) {
     const std::vector<Light> lights{test::pointLight({0.3, 9, 0.1}), test::sun({1, 0.01, 0.2})};
     std::size_t most = 0;
     for (const Light& light : lights)
-        most = std::max(most, boundLayers({scene, records}, light, 255).most);
-    EXPECT_EQ(boundLayers({scene, records}, lights, 255).most, most);
+        most = std::max(most, test::boundLayers({scene, records}, light, 255).most);
+    EXPECT_EQ(test::boundLayers({scene, records}, lights, 255).most, most);
 }
 
 // A new pose has new records, perhaps at the address of earlier ones.

@@ -4,6 +4,7 @@
 #include "src/render/accumulation/extended_lights.hpp"
 #include "src/render/frame/light_methods.hpp"
 #include "src/render/frame/prepare_scene.hpp"
+#include "tests/support/bounded_frame.hpp"
 #include "tests/support/extended_lights.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/loaded_scene.hpp"
@@ -36,7 +37,7 @@ FrameView viewOf(const Case& test) {
                          .height = height,
                          .lights = {test.light}};
     request.lightSamples = test.points;
-    return makeFrameView(test.scene, false, request);
+    return test::boundedFrame(test.scene, false, request);
 }
 
 LitCounts drawn(const Case& test, ShadowMethod method) {

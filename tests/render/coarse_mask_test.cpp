@@ -3,6 +3,7 @@
 
 #include "preprocess/base/error.hpp"
 #include "src/gl/headless_context.hpp"
+#include "tests/support/bounded_frame.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
@@ -236,12 +237,12 @@ struct Yard {
     explicit Yard(const gl::Capabilities& capabilities, int scale) {
         const Scene scene = test::yard().scene();
         loaded = {{}, scene, {}, buildPlanePairs(scene, false), {}, {}};
-        view = makeFrameView(loaded.scene, loaded.settings.castMasked,
-                             {frustumOf(corner, static_cast<double>(width) / height),
-                              width,
-                              height,
-                              {lights[1]},
-                              {}});
+        view = test::boundedFrame(loaded.scene, loaded.settings.castMasked,
+                                  {frustumOf(corner, static_cast<double>(width) / height),
+                                   width,
+                                   height,
+                                   {lights[1]},
+                                   {}});
         RenderSettings settings = coarse(scale);
         settings.layout = bestLayout(capabilities);
         renderer.emplace(settings, capabilities);

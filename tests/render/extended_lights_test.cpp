@@ -4,6 +4,7 @@
 #include "src/render/accumulation/extended_lights.hpp"
 #include "src/render/frame/prepare_scene.hpp"
 #include "src/scene/shadow_facts.hpp"
+#include "tests/support/bounded_frame.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/loaded_scene.hpp"
 #include "tests/support/scene_builder.hpp"
@@ -38,7 +39,7 @@ struct Course {
         FrameRequest request{
             .frustum = frustum, .width = width, .height = height, .lights = {light}};
         request.lightSamples = points;
-        return makeFrameView(loaded.scene, false, request);
+        return test::boundedFrame(loaded.scene, false, request);
     }
 
     std::vector<std::uint8_t> draw(const FrameView& frame) {

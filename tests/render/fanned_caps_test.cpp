@@ -1,8 +1,10 @@
 // Fans of silhouette edges as caps cover the same pixels as caps of all casting triangles, and take
 // fewer vertices.
 #include "src/gl/headless_context.hpp"
+#include "tests/support/bounded_frame.hpp"
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/headless.hpp"
+#include "tests/support/planned_volumes.hpp"
 #include "tests/support/scene_builder.hpp"
 
 #include <glm/gtc/constants.hpp>
@@ -126,17 +128,17 @@ TEST_P(FannedCaps, CoverWhatTrianglesDo) {
         const Camera camera{eye, to, random.uniform(30, 100)};
         DepthChoice depth;
         depth.near = 0.25;
-        FrameView view = makeFrameView(loaded.scene, loaded.settings.castMasked,
-                                       {frustumOf(camera, static_cast<double>(width) / height),
-                                        width,
-                                        height,
-                                        {light},
-                                        depth});
+        FrameView view = test::boundedFrame(loaded.scene, loaded.settings.castMasked,
+                                            {frustumOf(camera, static_cast<double>(width) / height),
+                                             width,
+                                             height,
+                                             {light},
+                                             depth});
         view.mask = true;
 
         const PlanView planned = planView(view, view.slices.back(), light, placing);
         bool allowed = false;
-        for (const ClusterPlan& draw : planVolumes(*loaded.planePairs[0], planned).drawn)
+        for (const ClusterPlan& draw : test::planVolumes(*loaded.planePairs[0], planned).drawn)
             allowed = allowed || (draw.fannedCaps && (draw.frontCaps || draw.backCaps));
         const Drawn proposed = drawnWith(SilhouetteChoice::proposed, GetParam(), loaded, view);
         const Drawn all = drawnWith(SilhouetteChoice::all, GetParam(), loaded, view);

@@ -3,6 +3,8 @@
 #include "src/gl/headless_context.hpp"
 #include "src/scene/gpu_scene.hpp"
 #include "src/shadow/layers/layer_search.hpp"
+#include "tests/support/bounded_frame.hpp"
+#include "tests/support/bounded_layers.hpp"
 #include "tests/support/loaded_scene.hpp"
 #include "tests/support/mask_case.hpp"
 #include "tests/support/scene_builder.hpp"
@@ -128,7 +130,7 @@ TEST(Instances, AreDrawnAsRepeatedMeshesAre) {
 TEST(Instances, ThatOverlapTooOftenComeInGroupsAsAWhole) {
     const Scene scene = stack(40);
     const Light above = sun({0, 1, 0});
-    const LayerBound bound = boundLayers(loadedOf(scene).layerCasters(), above, stencilLimit);
+    const LayerBound bound = test::boundLayers(loadedOf(scene).layerCasters(), above, stencilLimit);
     ASSERT_GT(bound.groupCount, 1u);
     ASSERT_EQ(bound.groupOf.size(), 2u + 40 * 20);
     for (int place = 0; place < 40; ++place) {
@@ -155,7 +157,7 @@ TEST(Instances, GroupsOfThemShareTheirRecords) {
     for (const int half : {0, 1}) {
         const LoadedScene loaded = loadedOf(half == 0 ? stack(40) : repeated(stack(40)));
         FrameLight light{sun({0, 1, 0}), {}, true, {}};
-        light.layers = boundLayers(loaded.layerCasters(), light.light, stencilLimit);
+        light.layers = test::boundLayers(loaded.layerCasters(), light.light, stencilLimit);
         OverflowGroups groups;
         groups.upload(loaded, {light}, {});
         for (auto& group : *groups.of(light, VolumeLayout::planePairs))
@@ -190,8 +192,8 @@ TEST(Instances, SeeASunFromOneDirectionWithOneList) {
         settings.layout = SidesLayout::notInstanced;
         Renderer renderer(settings, context.capabilities());
         GpuScene gpu = uploadScene(loaded, renderer.settings().records(), context.capabilities());
-        renderer.draw(
-            gpu, makeFrameView(loaded.scene, false, {frustumOf(aside, 1.0), 64, 64, {light}, {}}));
+        renderer.draw(gpu, test::boundedFrame(loaded.scene, false,
+                                              {frustumOf(aside, 1.0), 64, 64, {light}, {}}));
         return renderer.volumes()->silhouettes()->made();
     };
     EXPECT_EQ(listsFor(sun({0.4, 1, 0.3})), 2u) << "the floor has one, too";

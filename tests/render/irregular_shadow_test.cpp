@@ -3,6 +3,7 @@
 #include "preprocess/base/error.hpp"
 #include "src/render/frame/light_methods.hpp"
 #include "src/render/frame/prepare_scene.hpp"
+#include "tests/support/bounded_frame.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/loaded_scene.hpp"
 #include "tests/support/scene_builder.hpp"
@@ -112,7 +113,7 @@ class Drawing {
         request.width = width;
         request.height = height;
         request.lights = {light};
-        FrameView view = makeFrameView(loaded_.scene, false, request);
+        FrameView view = test::boundedFrame(loaded_.scene, false, request);
         view.lights.front().atRest = atRest;
         prepareScene(scene_, loaded_, view, renderer_);
         renderer_.draw(scene_, view);

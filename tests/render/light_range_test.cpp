@@ -4,6 +4,7 @@
 #include "src/gl/headless_context.hpp"
 #include "src/rivals/rivals.hpp"
 #include "src/shadow/view/light_reach.hpp"
+#include "tests/support/bounded_frame.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/headless.hpp"
@@ -245,7 +246,7 @@ std::size_t runsWith(const Light& light, int maskScale = 1,
     settings.layout = bestLayout(context.capabilities());
     const LoadedScene loaded{{}, builder.scene(), {}, buildPlanePairs(builder.scene(), false), {},
                              {}};
-    const FrameView view = makeFrameView(
+    const FrameView view = test::boundedFrame(
         loaded.scene, loaded.settings.castMasked,
         {frustumOf({{0, 6, 14}, {0, 0, 0}, 60.0}, static_cast<double>(width) / height),
          width,

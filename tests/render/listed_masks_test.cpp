@@ -1,6 +1,7 @@
 // Proposed silhouettes draw the same pixels as all records, from frame to frame: with lights that
 // move, rest and jump, so that lists serve several frames and are rebuilt.
 #include "src/gl/headless_context.hpp"
+#include "tests/support/bounded_frame.hpp"
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
@@ -40,7 +41,7 @@ class Pair {
     }
 
     void expectSame(const Camera& camera, const std::vector<Light>& lights) {
-        const FrameView view = makeFrameView(
+        const FrameView view = test::boundedFrame(
             loaded_.scene, loaded_.settings.castMasked,
             {frustumOf(camera, static_cast<double>(width) / height), width, height, lights, {}});
         EXPECT_EQ(draw(proposed_, view), draw(all_, view));

@@ -5,6 +5,7 @@
 #include "src/image/image_choice.hpp"
 #include "src/image/png.hpp"
 #include "src/render/frame/prepare_scene.hpp"
+#include "tests/support/bounded_frame.hpp"
 #include "tests/support/gltf_builder.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/reference_shading.hpp"
@@ -45,8 +46,8 @@ std::vector<std::uint8_t> draw(const GltfBuilder& gltf, const test::TestView& vi
         << loaded.scene.warnings.sentences().front();
     loaded.images = decodeImages(*loaded.document, loaded.scene);
     loaded.planePairs = buildPlanePairs(loaded.scene, false);
-    FrameView frame =
-        makeFrameView(loaded.scene, false, {view.seen(), view.width, view.height, view.lights, {}});
+    FrameView frame = test::boundedFrame(loaded.scene, false,
+                                         {view.seen(), view.width, view.height, view.lights, {}});
     GpuScene gpu = uploadScene(loaded, settings.records(), context.capabilities());
     Renderer renderer(settings, context.capabilities());
     prepareScene(gpu, loaded, frame, renderer);

@@ -2,6 +2,7 @@
 // against exact rays (docs/method.md, C34 and C35).
 #include "preprocess/volumes/plane_pair_data.hpp"
 #include "src/scene/gpu_primitive_map.hpp"
+#include "src/shadow/lights/light_extent.hpp"
 #include "src/shadow/primitive_map/footprint.hpp"
 #include "src/shadow/primitive_map/primitive_map_builder.hpp"
 #include "tests/support/headless.hpp"

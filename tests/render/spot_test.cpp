@@ -4,6 +4,7 @@
 #include "src/gl/headless_context.hpp"
 #include "src/shadow/lights/light_cone.hpp"
 #include "src/shadow/view/light_reach.hpp"
+#include "tests/support/bounded_frame.hpp"
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/mask_case.hpp"
 #include "tests/support/pixel_place.hpp"
@@ -266,9 +267,9 @@ std::size_t runsWith(const Light& light) {
     settings.layout = bestLayout(context.capabilities());
     const LoadedScene loaded{{}, builder.scene(), {}, buildPlanePairs(builder.scene(), false), {},
                              {}};
-    const FrameView view =
-        makeFrameView(loaded.scene, loaded.settings.castMasked,
-                      {frustumOf({{0, 6, 14}, {0, 0, 0}, 60.0}, 4.0 / 3.0), 240, 180, {light}, {}});
+    const FrameView view = test::boundedFrame(
+        loaded.scene, loaded.settings.castMasked,
+        {frustumOf({{0, 6, 14}, {0, 0, 0}, 60.0}, 4.0 / 3.0), 240, 180, {light}, {}});
     GpuScene gpu = uploadScene(loaded, settings.records(), context.capabilities());
     Renderer renderer(settings, context.capabilities());
     renderer.draw(gpu, view);

@@ -3,6 +3,7 @@
 #include "src/render/frame/frame.hpp"
 #include "src/render/frame/volume_tint_pass.hpp"
 #include "src/rivals/rivals.hpp"
+#include "tests/support/bounded_frame.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
 
@@ -37,7 +38,7 @@ Pictures pictures(const Scene& scene, const FrameRequest& request, bool castMask
     GpuScene gpu = uploadScene(loaded, settings.records(), context.capabilities());
     Renderer renderer(settings, context.capabilities());
     VolumeTintPass tint(settings, context.capabilities());
-    FrameView view = makeFrameView(scene, castMasked, request);
+    FrameView view = test::boundedFrame(scene, castMasked, request);
     Pictures result;
     view.mask = true;
     renderer.draw(gpu, view);

@@ -1,6 +1,7 @@
 // The plan for casters that a scene culls (docs/method.md, C39).
 
 #include "src/shadow/plan/count_plan.hpp"
+#include "tests/support/bounded_frame.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/placed_shadows.hpp"
 #include "tests/support/scene_builder.hpp"
@@ -23,10 +24,12 @@ CountPlan planOf(const SceneBuilder& builder, const glm::dvec3& light, bool cull
     request.width = request.height = 64;
     request.lights = {pointLight(light)};
     request.depth = {0.1, 1};
-    const FrameView view = makeFrameView(scene, false, request);
+    const FrameView view = test::boundedFrame(scene, false, request);
     KeptSolids solids;
-    return planCount(test::placedShadows(scene), scene.materials, view, view.slices.front(), 0,
-                     {23, nullptr, &solids});
+    CountPlan plan;
+    planCount(test::placedShadows(scene), scene.materials, view, view.slices.front(), 0,
+              {23, nullptr, &solids}, plan);
+    return plan;
 }
 
 const ClusterPlan& onlyCluster(const CountPlan& plan) {

@@ -1,5 +1,6 @@
 // The estimated cost of filling, without a GL.
 #include "src/shadow/plan/volume_fill.hpp"
+#include "tests/support/bounded_frame.hpp"
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/placed_shadows.hpp"
 #include "tests/support/scene_builder.hpp"
@@ -98,13 +99,13 @@ struct Planned {
     FillCost fill;
 
     Planned(const Scene& scene, const Camera& camera, const Light& light)
-        : view(makeFrameView(scene, false,
-                             {frustumOf(camera, 1.0), side, side, {light}, {0.1, 1}})) {
+        : view(test::boundedFrame(scene, false,
+                                  {frustumOf(camera, 1.0), side, side, {light}, {0.1, 1}})) {
         PlanSettings settings;
         settings.silhouettes = &silhouettes;
         silhouettes.beginFrame(nullptr);
-        plan = planCount(test::placedShadows(scene), scene.materials, view, view.slices.front(), 0,
-                         settings);
+        planCount(test::placedShadows(scene), scene.materials, view, view.slices.front(), 0,
+                  settings, plan);
         fill = fillOf(plan, view, view.slices.front(), whole);
     }
 };

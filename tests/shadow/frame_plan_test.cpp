@@ -1,6 +1,7 @@
 // The contents of the list of draws for scenes that are simple enough to predict.
 #include "src/shadow/plan/frame_plan.hpp"
 
+#include "tests/support/bounded_frame.hpp"
 #include "tests/support/placed_shadows.hpp"
 #include "tests/support/scene_builder.hpp"
 
@@ -41,20 +42,21 @@ std::unique_ptr<Planned> planned(const Scene& scene, const Camera& camera,
     depth.near = 0.1;
     depth.slices = 1;
     result->view =
-        makeFrameView(scene, castMasked, {frustumOf(camera, 1.0), 64, 64, lights, depth});
+        test::boundedFrame(scene, castMasked, {frustumOf(camera, 1.0), 64, 64, lights, depth});
     if (change) change(result->view);
     const std::vector<PlacedShadow> casters = test::placedShadows(scene, castMasked);
     PlanSettings settings;
     if (choice == Choice::potential) settings.silhouettes = &result->silhouettes;
     result->silhouettes.beginFrame(nullptr);
-    result->frame = planFrame(
-        {.view = result->view,
-         .open = {0, 0, 64, 64},
-         .groupCount = [&](std::size_t light) { return light == 0 ? groups : 1; },
-         .planCount =
-             [&](const DepthSlice& slice, std::size_t light, std::size_t, CountPlan& plan) {
-                 planCount(casters, scene.materials, result->view, slice, light, settings, plan);
-             }});
+    planFrame({.view = result->view,
+               .open = {0, 0, 64, 64},
+               .groupCount = [&](std::size_t light) { return light == 0 ? groups : 1; },
+               .planCount =
+                   [&](const DepthSlice& slice, std::size_t light, std::size_t, CountPlan& plan) {
+                       planCount(casters, scene.materials, result->view, slice, light, settings,
+                                 plan);
+                   }},
+              result->frame);
     return result;
 }
 

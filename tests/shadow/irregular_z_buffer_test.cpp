@@ -1,6 +1,7 @@
 // Tests of single points for whether a light reaches them (docs/method.md, C46), without a GL: rays
 // make the pictures.
 #include "src/shadow/irregular/irregular_z_buffer.hpp"
+#include "tests/support/bounded_frame.hpp"
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/scene_builder.hpp"
 
@@ -62,8 +63,8 @@ struct Picture {
     std::vector<Seen> seen{width * height};
 
     Picture(const Scene& of, const Frustum& frustum, const Light& light)
-        : scene(of),
-          view(makeFrameView(scene, false, {frustum, width, height, {light}, {std::nullopt, 1}})),
+        : scene(of), view(test::boundedFrame(scene, false,
+                                             {frustum, width, height, {light}, {std::nullopt, 1}})),
           triangles(trianglesOf(of)), casts(triangles.size(), 1) {
         view.divide(1);
         const Batch& batch = scene.batches.front();

@@ -119,10 +119,16 @@ TEST(LightBudget, KeepsTheLightsThatMatterMost) {
     EXPECT_EQ(importanceOf(view, view.lights[3].light), 0.0);
 }
 
+FrameView reachedPart(const FrameView& view, const Light& light) {
+    FrameView part;
+    findReachedPart(view, view.slices[0], light, part);
+    return part;
+}
+
 TEST(ReachedPart, IsTheWindowAndTheDepthsOfTheBall) {
     const FrameView view = viewOf({lamp({0, 1, 0}, 1)});
     const Light light = lamp({0.5, 0.5, 0.5}, 1.0);
-    const FrameView part = reachedPart(view, view.slices[0], light);
+    const FrameView part = reachedPart(view, light);
     EXPECT_LT(part.frustum.size().x, 0.7 * view.frustum.size().x);
     EXPECT_LT(part.farthestDepth, view.farthestDepth);
     EXPECT_LE(part.visible.high.x, 1.5 * rangeWidening);
@@ -142,7 +148,7 @@ TEST(ReachedPart, IsTheWindowAndTheDepthsOfTheBall) {
         EXPECT_LE(-seen.z, part.farthestDepth);
     }
     EXPECT_GT(checked, 500);
-    const FrameView whole = reachedPart(view, view.slices[0], test::sun({0, 1, 0}));
+    const FrameView whole = reachedPart(view, test::sun({0, 1, 0}));
     EXPECT_EQ(whole.frustum, view.frustum);
     EXPECT_EQ(whole.farthestDepth, view.farthestDepth);
 }

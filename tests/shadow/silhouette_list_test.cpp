@@ -22,7 +22,9 @@ using test::Soup;
 SilhouetteList listFor(const PlanePairShadow& shadow, const LightBall& ball,
                        int mantissaBits = 23) {
     SilhouetteList proposal;
-    listSilhouettes(shadow, LightFacings(shadow), ball, mantissaBits, proposal);
+    ListMemory memory;
+    listSilhouettes(shadow, LightFacings(shadow), ball, mantissaBits, proposal,
+                    std::numeric_limits<double>::infinity(), memory);
     return proposal;
 }
 

@@ -1,6 +1,7 @@
 #include "src/shadow/plan/stencil_start.hpp"
 
 #include "tests/support/hard_lights.hpp"
+#include "tests/support/planned_volumes.hpp"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -46,7 +47,7 @@ VolumePlan planOf(const std::vector<ShadowCluster>& clusters, const PlanView& vi
         shadow.leaves.push_back(cluster.bounds);
         shadow.clusters.push_back(cluster);
     }
-    return planVolumes(shadow, view);
+    return test::planVolumes(shadow, view);
 }
 
 std::vector<ClusterPlan> planFor(const std::vector<ShadowCluster>& clusters, const PlanView& view) {
@@ -236,7 +237,7 @@ TEST(VolumePlan, ComponentsThatOneCrossesEachWayCountInFull) {
     shadow.clusters = {cluster};
     const FrameView frame = viewAlongZ();
     const PlanView view = planView(frame, frame.slices[0], {{0.1, 50, 0.2, 1}}, glm::dmat4(1.0));
-    const auto draws = planVolumes(shadow, view).drawn;
+    const auto draws = test::planVolumes(shadow, view).drawn;
     ASSERT_EQ(draws.size(), 1u);
     EXPECT_EQ(draws[0].counted, Counted::all);
     EXPECT_EQ(draws[0].start, 2);
@@ -267,7 +268,7 @@ TEST(VolumePlan, WithinItsBoundsButBetweenItsTrianglesItTakesNoCapsAndHalfTheTri
     shadow.clusters = {cluster};
     const FrameView frame = viewAlongZ();
     const PlanView view = planView(frame, frame.slices[0], {{2, 3, -1, 1}}, glm::dmat4(1.0));
-    auto draws = planVolumes(shadow, view).drawn;
+    auto draws = test::planVolumes(shadow, view).drawn;
     ASSERT_EQ(draws.size(), 1u);
     EXPECT_FALSE(draws[0].zFail());
     EXPECT_EQ(draws[0].counted, Counted::lightFacing);
@@ -276,13 +277,13 @@ TEST(VolumePlan, WithinItsBoundsButBetweenItsTrianglesItTakesNoCapsAndHalfTheTri
     shadow.clusters[0].caps.count = 36;
     shadow.clusters[0].leaves.count = 2;
     shadow.leaves.push_back(cluster.bounds);
-    draws = planVolumes(shadow, view).drawn;
+    draws = test::planVolumes(shadow, view).drawn;
     ASSERT_EQ(draws.size(), 1u);
     EXPECT_FALSE(draws[0].zFail());
     EXPECT_EQ(draws[0].start, 1);
     // If the components are unknown, one crossing in each direction may belong to two of them.
     shadow.clusters[0].components = 3;
-    draws = planVolumes(shadow, view).drawn;
+    draws = test::planVolumes(shadow, view).drawn;
     EXPECT_EQ(draws[0].counted, Counted::all);
     EXPECT_EQ(draws[0].start, 2);
 }
@@ -298,9 +299,9 @@ TEST(VolumePlan, ANearPlaneJustBeforeItTakesNoCapsAndHalfTheTriangles) {
     shadow.caps = {{{-0.5f, -0.5f, -1.5f}, {0.5f, -0.5f, -1.5f}, {0.0f, 0.5f, -0.5f}, {}}};
     FrameView frame = viewAlongZ();
     frame.slices[0].near = 0.499;
-    const auto draws =
-        planVolumes(shadow, planView(frame, frame.slices[0], {{0, 50, 50, 1}}, glm::dmat4(1.0)))
-            .drawn;
+    const auto draws = test::planVolumes(shadow, planView(frame, frame.slices[0], {{0, 50, 50, 1}},
+                                                          glm::dmat4(1.0)))
+                           .drawn;
     ASSERT_EQ(draws.size(), 1u);
     EXPECT_FALSE(draws[0].zFail());
     EXPECT_EQ(draws[0].counted, Counted::lightFacing);
@@ -493,7 +494,8 @@ TEST(VolumePlan, BackCapsAreNoFansAroundALightWithinTheCluster) {
         shadow.clusters.push_back(cluster);
         const FrameView view = viewAlongZ();
         const auto draws =
-            planVolumes(shadow, planView(view, view.slices[0], {light}, glm::dmat4(1.0))).drawn;
+            test::planVolumes(shadow, planView(view, view.slices[0], {light}, glm::dmat4(1.0)))
+                .drawn;
         EXPECT_EQ(draws.size(), 1u);
         return draws.empty() ? ClusterPlan() : draws.front();
     };

@@ -4,6 +4,7 @@
 #include "src/rivals/rivals.hpp"
 #include "src/scene/shadow_facts.hpp"
 #include "src/shadow/view/light_budget.hpp"
+#include "tests/support/bounded_frame.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -62,8 +63,9 @@ std::vector<std::uint8_t> drawScene(const Scene& scene, const TestView& test,
         test.culledCaps ? buildPlanePairs(scene, castMasked) : uncullable(scene, castMasked),
         {},
         {0.0, castMasked}};
-    FrameView view = makeFrameView(loaded.scene, loaded.settings.castMasked,
-                                   {test.seen(), test.width, test.height, test.lights, test.depth});
+    FrameView view =
+        test::boundedFrame(loaded.scene, loaded.settings.castMasked,
+                           {test.seen(), test.width, test.height, test.lights, test.depth});
     view.mask = test.mask;
     if (test.drawnLights)
         for (std::size_t i = 0; i < view.lights.size(); ++i)

@@ -3,6 +3,7 @@
 #include "src/render/accumulation/extended_lights.hpp"
 #include "src/render/accumulation/subpixels.hpp"
 #include "src/viewer/viewer.hpp"
+#include "tests/support/bounded_frame.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/loaded_scene.hpp"
 #include "tests/support/scene_builder.hpp"
@@ -59,7 +60,7 @@ class ViewerSmoothing : public testing::Test {
             request.height = height;
             request.lights = state.lights;
             request.lightSamples = state.lightSamples;
-            const FrameView view = makeFrameView(loaded.scene, false, request);
+            const FrameView view = test::boundedFrame(loaded.scene, false, request);
             drawWithExtents(renderer, extended, scene, loaded, view);
             const Pixels pixels = context.readPixels();
             for (std::size_t i = 0; i < pixels.size(); ++i)

@@ -7,28 +7,24 @@ namespace {
 
 using enum TextureSlot;
 
-/// A texture and its names in the shader.
+/// A texture and its name in the shader.
 struct Map {
     TextureSlot slot;
-    const char* define;
     const char* sampler;
 };
 constexpr Map maps[] = {
-    {baseColor, "TEXTURED", "u_texture"},
-    {metallicRoughness, "REFLECTANCE_MAP", "u_reflectanceMap"},
-    {normal, "NORMAL_MAP", "u_normalMap"},
-    {occlusion, "OCCLUSION_MAP", "u_occlusionMap"},
-    {emissive, "EMISSIVE_MAP", "u_emissiveMap"},
-    {specular, "SPECULAR_MAP", "u_specularMap"},
-    {specularColor, "SPECULAR_COLOR_MAP", "u_specularColorMap"},
-    {clearcoat, "CLEARCOAT_MAP", "u_clearcoatMap"},
-    {clearcoatRoughness, "CLEARCOAT_ROUGHNESS_MAP", "u_clearcoatRoughnessMap"},
-    {clearcoatNormal, "CLEARCOAT_NORMAL_MAP", "u_clearcoatNormalMap"},
+    {baseColor, "u_texture"},
+    {metallicRoughness, "u_reflectanceMap"},
+    {normal, "u_normalMap"},
+    {occlusion, "u_occlusionMap"},
+    {emissive, "u_emissiveMap"},
+    {specular, "u_specularMap"},
+    {specularColor, "u_specularColorMap"},
+    {clearcoat, "u_clearcoatMap"},
+    {clearcoatRoughness, "u_clearcoatRoughnessMap"},
+    {clearcoatNormal, "u_clearcoatNormalMap"},
 };
 static_assert(std::size(maps) == textureSlots);
-
-constexpr const char* coordinates[mostTexcoordChannels] = {"v_texcoord", "v_texcoord1",
-                                                           "v_texcoord23.xy", "v_texcoord23.zw"};
 
 bool isNormal(TextureSlot slot) {
     return slot == normal || slot == clearcoatNormal;
@@ -46,13 +42,13 @@ MaterialFeatures featuresOf(const GpuScene& scene, const SurfaceChunk& chunk, bo
     MaterialFeatures features;
     features.channels.fill(-1);
     features.glossy = material.specularGlossiness;
-    features.emissive = ambient && material.emissive != glm::vec3(0.0f);
     features.clearcoat = material.clearcoat > 0.0f;
     features.ambient = ambient;
     for (const Map& map : maps) {
         const MaterialTexture& texture = material.of(map.slot);
         const bool seen = map.slot != occlusion || ambient;
-        const bool shown = map.slot != emissive || features.emissive;
+        const bool shown =
+            map.slot != emissive || (ambient && material.emissive != glm::vec3(0.0f));
         const bool turned = !isNormal(map.slot) || chunk.tangents || derivatives;
         if (!scene.textures.has(texture) || !seen || !shown || !turned || textureUnits == 0)
             continue;
@@ -68,17 +64,16 @@ void addDefines(const MaterialFeatures& features, std::vector<std::string>& defi
     defines.push_back("MATERIAL");
     if (features.ambient) defines.push_back("AMBIENT");
     if (features.glossy) defines.push_back("GLOSSY");
-    if (features.emissive) defines.push_back("EMISSIVE");
     if (features.clearcoat) defines.push_back("CLEARCOAT");
-    if (features.takes(0)) defines.push_back("TEXCOORDS");
-    if (features.takes(1)) defines.push_back("TEXCOORDS_1");
-    if (features.takes(2) || features.takes(3)) defines.push_back("TEXCOORDS_2");
-    for (const Map& map : maps) {
-        if (!features.has(map.slot)) continue;
-        const int channel = features.channels[static_cast<std::size_t>(map.slot)];
-        defines.push_back(map.define);
-        defines.push_back(std::string(map.define) + "_UV " + coordinates[channel]);
+    int maps = 0;
+    std::string sets;
+    for (std::size_t slot = 0; slot < textureSlots; ++slot) {
+        const int channel = features.channels[slot];
+        if (channel >= 0) maps |= 1 << slot;
+        sets += (slot == 0 ? "" : ", ") + std::to_string(std::max(channel, 0));
     }
+    defines.push_back("MAPS " + std::to_string(maps));
+    defines.push_back("MAP_SETS " + sets);
     if (features.tangents) defines.push_back("TANGENTS");
 }
 

@@ -14,7 +14,6 @@ struct MaterialFeatures {
     std::array<signed char, textureSlots> channels{}; ///< coordinate set of each texture; -1: no
                                                       ///< texture
     bool glossy = false;                              ///< specular-glossiness
-    bool emissive = false;                            ///< emits light
     bool clearcoat = false;                           ///< has a clearcoat
     bool tangents = false;                            ///< the vertices have tangents
     bool ambient = false;                             ///< ambient light is shown

@@ -28,18 +28,12 @@ struct Attribute {
     bool (*isOf)(const SurfaceVariant&);
 };
 
-bool takes(const SurfaceVariant& variant, int channel) {
-    return variant.look.material && variant.look.material->takes(channel);
-}
-
 /// In the order of their locations.
 constexpr Attribute attributes[] = {
     {"a_position", 3, GL_FLOAT, offsetof(SurfaceVertex, position), Attribute::Buffer::vertices,
      [](const SurfaceVariant&) { return true; }},
     {"a_texcoord", 2, GL_FLOAT, offsetof(SurfaceVertex, texcoord), Attribute::Buffer::vertices,
-     [](const SurfaceVariant& of) {
-         return of.look.texture != SurfaceLook::Texture::none || takes(of, 0);
-     }},
+     [](const SurfaceVariant& of) { return of.look.takes(0); }},
     {"a_color", 4, GL_UNSIGNED_BYTE, offsetof(SurfaceVertex, color), Attribute::Buffer::vertices,
      [](const SurfaceVariant& of) { return of.look.colored; }},
     {"a_normal", 3, GL_FLOAT, offsetof(SurfaceVertex, normal), Attribute::Buffer::vertices,
@@ -49,10 +43,10 @@ constexpr Attribute attributes[] = {
     {"a_tangent", 4, GL_FLOAT, offsetof(SurfaceDetail, tangent), Attribute::Buffer::details,
      [](const SurfaceVariant& of) { return of.look.material && of.look.material->tangents; }},
     {"a_texcoord1", 2, GL_FLOAT, offsetof(SurfaceDetail, texcoords), Attribute::Buffer::details,
-     [](const SurfaceVariant& of) { return takes(of, 1); }},
+     [](const SurfaceVariant& of) { return of.look.takes(1); }},
     {"a_texcoord23", 4, GL_FLOAT, offsetof(SurfaceDetail, texcoords) + sizeof(glm::vec2),
      Attribute::Buffer::details,
-     [](const SurfaceVariant& of) { return takes(of, 2) || takes(of, 3); }},
+     [](const SurfaceVariant& of) { return of.look.takes(2) || of.look.takes(3); }},
     {"a_lightSide", 1, GL_FLOAT, offsetof(SidedVertex, lightSide), Attribute::Buffer::vertices,
      [](const SurfaceVariant& of) { return of.shadow.sided; }},
 };

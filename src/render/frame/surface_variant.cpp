@@ -22,8 +22,7 @@ LightArrival arrivalOf(const SurfaceShading& shading) {
 ShadowSource::Softness softnessOf(const ShadowMapLookup& map) {
     using Softness = ShadowSource::Softness;
     if (!map.soft) return Softness::hard;
-    if (!map.pcss) return Softness::filtered;
-    return map.pcss->rectangle ? Softness::pcssRectangle : Softness::pcss;
+    return map.pcss ? Softness::pcss : Softness::filtered;
 }
 
 ShadowSource shadowSourceOf(const SurfaceShading& shading, const SidedChunk* sided) {
@@ -31,6 +30,7 @@ ShadowSource shadowSourceOf(const SurfaceShading& shading, const SidedChunk* sid
     if (shading.map) {
         source.map = shading.map->defines;
         source.softness = softnessOf(*shading.map);
+        if (shading.map->pcss) source.pcssShape = shading.map->pcss->shape;
     }
     if (shading.primitives)
         source.primitives = {shading.primitives->kind, shading.primitives->longestList,
@@ -74,6 +74,9 @@ void addMaterial(const GpuScene& scene, const SurfaceChunk& chunk, const Surface
 void addDefines(const SurfaceLook& look, std::vector<std::string>& defines) {
     using Texture = SurfaceLook::Texture;
     if (look.material) addDefines(*look.material, defines);
+    const int sets =
+        look.takes(0) | look.takes(1) << 1 | (look.takes(2) || look.takes(3) ? 1 : 0) << 2;
+    defines.push_back("TEXCOORDS " + std::to_string(sets));
     gl::addDefines(defines, {{"ALPHA_TEST", look.alphaMode == AlphaMode::mask},
                              {"BLENDED", look.alphaMode == AlphaMode::blend},
                              {"PLAIN", look.plain},
@@ -110,10 +113,10 @@ void addDefines(const ShadowSource& shadow, std::vector<std::string>& defines) {
                                  {"PRIMITIVE_MAP_POINTS", of->points},
                                  {"PRIMITIVE_MAP_TINT", of->tint}});
     }
+    if (shadow.softness == Softness::pcss)
+        defines.push_back("PCSS " + std::to_string(static_cast<int>(shadow.pcssShape)));
     gl::addDefines(defines, {{"MAP", shadow.map != nullptr},
                              {"SOFT_MAP", shadow.softness != Softness::hard},
-                             {"PCSS", shadow.softness >= Softness::pcss},
-                             {"PCSS_RECTANGLE", shadow.softness == Softness::pcssRectangle},
                              {"SIDED", shadow.sided},
                              {"SELF_SHADOWED", shadow.selfShadowed},
                              {"COARSE_MASK", shadow.coarse},

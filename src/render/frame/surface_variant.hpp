@@ -29,6 +29,11 @@ struct SurfaceLook {
     bool catcher = false; ///< shows the background, darker in shadow
     bool linear = false;  ///< writes linear light, not display colours
 
+    /// Whether any texture uses this set of coordinates.
+    bool takes(int channel) const {
+        return (channel == 0 && texture != Texture::none) || (material && material->takes(channel));
+    }
+
     std::strong_ordering operator<=>(const SurfaceLook&) const = default;
 };
 
@@ -56,7 +61,7 @@ struct LightArrival {
 /// Where the light's shadow comes from.
 struct ShadowSource {
     /// How the map is filtered; all but `hard` are for lights with an extent.
-    enum class Softness { hard, filtered, pcss, pcssRectangle };
+    enum class Softness { hard, filtered, pcss };
     struct Primitives {
         GpuPrimitiveMap::Kind kind;
         int longestList;
@@ -67,6 +72,7 @@ struct ShadowSource {
 
     const std::vector<std::string>* map = nullptr; ///< ShadowMapLookup::defines; null: no map
     Softness softness = Softness::hard;
+    LightExtent::Shape pcssShape = LightExtent::Shape::sphere;
     std::optional<Primitives> primitives;
     bool sided = false;        ///< vertices know which side faces the light
     bool selfShadowed = false; ///< dark where the normal faces away from the light

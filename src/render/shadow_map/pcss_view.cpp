@@ -11,6 +11,7 @@ PcssLight pcssLight(const Light& light, const ShadowMapView& view) {
     const LightExtent& extent = *light.extent;
     const glm::dvec3 scale = view.scale();
     PcssLight pcss;
+    pcss.shape = extent.shape;
     pcss.nearestCaster = static_cast<float>(view.near);
     double smallest = 0.0;
     switch (extent.shape) {
@@ -25,7 +26,6 @@ PcssLight pcssLight(const Light& light, const ShadowMapView& view) {
         break;
     case LightExtent::Shape::rectangle: {
         const auto [across, up] = rectangleAxes(extent.direction);
-        pcss.rectangle = true;
         pcss.across = glm::vec3(0.5 * extent.size.x * scale.x * across);
         pcss.up = glm::vec3(0.5 * extent.size.y * scale.x * up);
         pcss.facing = glm::vec3(extent.direction);

@@ -82,24 +82,12 @@ CasterBox boxAround(const std::array<glm::vec3, 3>& places) {
 constexpr CasterBox everything{-CasterBox::infinity, CasterBox::infinity, -CasterBox::infinity,
                                CasterBox::infinity, CasterBox::infinity};
 
-/// Bounds of points on a face.
-struct Extent {
-    glm::dvec3 low{std::numeric_limits<double>::infinity()};
-    glm::dvec3 high{-std::numeric_limits<double>::infinity()};
-
-    void add(const glm::dvec3& rays) {
-        low = glm::min(low, rays);
-        high = glm::max(high, rays);
-    }
-    void add(const Extent& other) {
-        low = glm::min(low, other.low);
-        high = glm::max(high, other.high);
-    }
-    FaceFrame frame() const {
-        constexpr double least = 1e-300; // its inverse is finite
-        return {0.5 * (low + high), glm::max(0.5 * (high - low), glm::dvec3(least))};
-    }
-};
+/// The frame of a face with points in these bounds.
+FaceFrame frameOf(const Box& extent) {
+    constexpr double least = 1e-300; // its inverse is finite
+    return {0.5 * (extent.low + extent.high),
+            glm::max(0.5 * (extent.high - extent.low), glm::dvec3(least))};
+}
 
 } // namespace
 
@@ -212,7 +200,7 @@ void IrregularZBuffer::addPoints(const PixelRectangle& within, Threads threads) 
                               static_cast<int>(range.size())};
     };
     const auto framesOf = [&](int step) {
-        std::vector<std::vector<Extent>> extents(parts.size(), std::vector<Extent>(faces_.size()));
+        std::vector<std::vector<Box>> extents(parts.size(), std::vector<Box>(faces_.size()));
         forEachPart(parts, [&](std::size_t part, const ItemRange& range) {
             forEachPoint(rowsOf(range), step, [&](Pixel, std::size_t face, const glm::dvec3& rays) {
                 extents[part][face].add(rays);
@@ -220,10 +208,10 @@ void IrregularZBuffer::addPoints(const PixelRectangle& within, Threads threads) 
         });
         std::vector<FaceFrame> frames;
         for (std::size_t face = 0; face < faces_.size(); ++face) {
-            Extent all;
+            Box all;
             for (const auto& of : extents)
                 all.add(of[face]);
-            frames.push_back(all.frame());
+            frames.push_back(frameOf(all));
         }
         return frames;
     };

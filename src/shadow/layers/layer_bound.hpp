@@ -34,9 +34,5 @@ struct LayerBound {
 /// of them, and they share the groups. LayerSearch is faster where no groups are needed.
 LayerBound boundByTriangles(const Scene& scene, bool castMasked, std::span<const Light> lights,
                             std::size_t limit);
-inline LayerBound boundByTriangles(const Scene& scene, bool castMasked, const Light& light,
-                                   std::size_t limit) {
-    return boundByTriangles(scene, castMasked, std::span(&light, 1), limit);
-}
 
 } // namespace edgeshade

@@ -99,9 +99,4 @@ const CasterChain& LayerSearch::chainOf(const std::shared_ptr<const PlanePairSha
     return chains_.emplace(records.get(), Kept{records, CasterChain(*records)}).first->second.chain;
 }
 
-LayerBound boundLayers(const LayerCasters& casters, std::span<const Light> lights,
-                       std::size_t limit) {
-    return LayerSearch().bound(casters, lights, limit);
-}
-
 } // namespace edgeshade

@@ -44,11 +44,4 @@ class LayerSearch {
     std::vector<FaceChain> faces_;
 };
 
-/// LayerSearch::bound(), for a single search.
-LayerBound boundLayers(const LayerCasters& casters, std::span<const Light> lights,
-                       std::size_t limit);
-inline LayerBound boundLayers(const LayerCasters& casters, const Light& light, std::size_t limit) {
-    return boundLayers(casters, std::span(&light, 1), limit);
-}
-
 } // namespace edgeshade

@@ -93,6 +93,31 @@ void findLightPoints(const Light& light, std::size_t count, std::vector<Light>& 
         points.push_back(like.at(pointOf(light, n)));
 }
 
+LightShape shapeOf(const Light& light) {
+    LightShape shape;
+    shape.center = light.position;
+    if (!light.extent) return shape;
+    const LightExtent& extent = *light.extent;
+    if (extent.shape == LightExtent::Shape::disc) {
+        const glm::dvec3 towards = unitOf(glm::dvec3(light.position));
+        const auto [right, up, forward] = axesAlong(towards);
+        shape.center = glm::dvec4(towards, 0.0);
+        shape.arms = glm::dmat3(std::tan(extent.radius) * right, std::tan(extent.radius) * up,
+                                glm::dvec3(0.0));
+        return shape;
+    }
+    shape.center = light.position / light.position.w;
+    if (extent.shape == LightExtent::Shape::sphere) {
+        shape.arms = glm::dmat3(extent.radius);
+        return shape;
+    }
+    const auto [across, up] = rectangleAxes(extent.direction);
+    shape.arms =
+        glm::dmat3(0.5 * extent.size.x * across, 0.5 * extent.size.y * up, glm::dvec3(0.0));
+    shape.round = false;
+    return shape;
+}
+
 LightRegion regionOf(const Light& light) {
     const LightExtent& extent = *light.extent;
     switch (extent.shape) {

@@ -2,6 +2,7 @@
 
 #include "src/shadow/lights/light.hpp"
 #include "src/shadow/lights/light_ball.hpp"
+#include "src/shadow/lights/light_shape.hpp"
 
 #include <array>
 #include <cstddef>
@@ -10,7 +11,6 @@
 namespace edgeshade {
 
 /// Most points of a light with an extent. Their shadows together are soft (docs/method.md, C41).
-
 inline constexpr std::size_t mostLightPoints = 4096;
 
 /// Points that stand for the light, each a copy of it without its extent. They are the first
@@ -24,6 +24,9 @@ void findLightPoints(const Light& light, std::size_t count, std::vector<Light>& 
 
 /// Unit vectors across and up a rectangle that faces `direction`, with its width level.
 std::array<glm::dvec3, 2> rectangleAxes(const glm::dvec3& direction);
+
+/// All of a light's points in the world; for a light without an extent, its position alone.
+LightShape shapeOf(const Light& light);
 
 /// A region that holds all of a light's points, in the world: homogeneous coordinates within
 /// `radius` of `center`; for directional lights, of length 1.

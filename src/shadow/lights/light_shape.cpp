@@ -1,8 +1,5 @@
 #include "src/shadow/lights/light_shape.hpp"
 
-#include "src/shadow/geometry/vectors.hpp"
-#include "src/shadow/lights/light_extent.hpp"
-
 #include <cmath>
 
 namespace edgeshade {
@@ -14,31 +11,6 @@ double LightShape::support(const glm::dvec3& normal) const {
 
 LightShape LightShape::in(const glm::dmat4& space) const {
     return {space * center, glm::dmat3(space) * arms, round};
-}
-
-LightShape shapeOf(const Light& light) {
-    LightShape shape;
-    shape.center = light.position;
-    if (!light.extent) return shape;
-    const LightExtent& extent = *light.extent;
-    if (extent.shape == LightExtent::Shape::disc) {
-        const glm::dvec3 towards = unitOf(glm::dvec3(light.position));
-        const auto [right, up, forward] = axesAlong(towards);
-        shape.center = glm::dvec4(towards, 0.0);
-        shape.arms = glm::dmat3(std::tan(extent.radius) * right, std::tan(extent.radius) * up,
-                                glm::dvec3(0.0));
-        return shape;
-    }
-    shape.center = light.position / light.position.w;
-    if (extent.shape == LightExtent::Shape::sphere) {
-        shape.arms = glm::dmat3(extent.radius);
-        return shape;
-    }
-    const auto [across, up] = rectangleAxes(extent.direction);
-    shape.arms =
-        glm::dmat3(0.5 * extent.size.x * across, 0.5 * extent.size.y * up, glm::dvec3(0.0));
-    shape.round = false;
-    return shape;
 }
 
 bool castAlike(const Light& a, const Light& b) {

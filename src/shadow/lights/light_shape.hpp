@@ -20,9 +20,6 @@ struct LightShape {
     LightShape in(const glm::dmat4& space) const;
 };
 
-/// The shape in the world; for a light without an extent, its position alone.
-LightShape shapeOf(const Light& light);
-
 /// Whether two lights cast the same shadows: their position, range and extent are equal.
 bool castAlike(const Light& a, const Light& b);
 

@@ -87,14 +87,6 @@ const SilhouetteList& silhouettesOf(const BatchPlan& of, double range, const Fra
 
 } // namespace
 
-CountPlan planCount(const std::vector<PlacedShadow>& casters,
-                    const std::vector<Material>& materials, const FrameView& view,
-                    const DepthSlice& slice, std::size_t light, const PlanSettings& settings) {
-    CountPlan plan;
-    planCount(casters, materials, view, slice, light, settings, plan);
-    return plan;
-}
-
 void planCount(const std::vector<PlacedShadow>& casters, const std::vector<Material>& materials,
                const FrameView& view, const DepthSlice& slice, std::size_t light,
                const PlanSettings& settings, CountPlan& plan) {

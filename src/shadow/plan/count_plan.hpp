@@ -57,8 +57,5 @@ struct PlanSettings {
 void planCount(const std::vector<PlacedShadow>& casters, const std::vector<Material>& materials,
                const FrameView& view, const DepthSlice& slice, std::size_t light,
                const PlanSettings& settings, CountPlan& plan);
-CountPlan planCount(const std::vector<PlacedShadow>& casters,
-                    const std::vector<Material>& materials, const FrameView& view,
-                    const DepthSlice& slice, std::size_t light, const PlanSettings& settings);
 
 } // namespace edgeshade

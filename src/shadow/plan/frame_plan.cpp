@@ -49,12 +49,6 @@ StencilStart SlicePlan::start() const {
     return lights[*first].counts.front().start;
 }
 
-FramePlan planFrame(const FrameTask& task) {
-    FramePlan frame;
-    planFrame(task, frame);
-    return frame;
-}
-
 void planFrame(const FrameTask& task, FramePlan& frame) {
     frame.slices.clear();
     const std::size_t lights = task.view.mask && !task.view.sumsMasks ? 1 : task.view.lights.size();

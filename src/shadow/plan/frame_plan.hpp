@@ -64,10 +64,7 @@ struct FrameTask {
 
 /// Plans for every slice which lights are drawn, on which pixels, which one together with ambient
 /// light, and all draws of their shadow volumes. Needs no GL. In a mask that is not a sum, only the
-/// first light is drawn.
-FramePlan planFrame(const FrameTask& task);
-
-/// The same into `frame`, whose memory it reuses.
+/// first light is drawn. Reuses the memory of `frame`.
 void planFrame(const FrameTask& task, FramePlan& frame);
 
 } // namespace edgeshade

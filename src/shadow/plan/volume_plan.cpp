@@ -279,10 +279,8 @@ PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& l
 std::optional<LeftOut> leftOutWhole(const PlanePairShadow& shadow, const glm::dmat4& worldFromBatch,
                                     const PlanView& inWorld) {
     Box bounds;
-    for (const ShadowCluster& cluster : shadow.clusters) {
-        bounds.add(cluster.bounds.low);
-        bounds.add(cluster.bounds.high);
-    }
+    for (const ShadowCluster& cluster : shadow.clusters)
+        bounds.add(cluster.bounds);
     if (bounds.empty()) return std::nullopt;
     PlanView view;
     view.light = glm::inverse(worldFromBatch) * inWorld.light;
@@ -303,15 +301,6 @@ bool mayEndAt(const Box& bounds, const PlanView& view, std::size_t end) {
 glm::vec4 endOf(const ClusterPlan& draw, std::span<const glm::dvec4> ends) {
     return draw.end < 0 ? glm::vec4(0, 0, 0, 1)
                         : glm::vec4(ends[static_cast<std::size_t>(draw.end)]);
-}
-
-VolumePlan planVolumes(const PlanePairShadow& shadow, const PlanView& view,
-                       std::span<const std::uint8_t> solids) {
-    VolumePlan plan;
-    ClusterMemory memory;
-    planClusters(shadow, view, solids, memory, plan);
-    mergeAlike(plan);
-    return plan;
 }
 
 void mergeAlike(VolumePlan& plan) {

@@ -42,7 +42,7 @@ struct ClusterPlan {
     bool frontCaps = true;   ///< with z-fail or cutouts: some casters may be in the view
     bool backCaps = true;    ///< with z-fail: at infinity, some of the shadow may be in the view
     bool nearDiscard = true; ///< with front caps: some casters may cross the near plane
-    bool fannedCaps = false; ///< with z-fail: caps may be fans, see planVolumes()
+    bool fannedCaps = false; ///< with z-fail: caps may be fans, see planClusters()
     /// Front caps of single-sided casters that show their backs are counted once more, before
     /// surfaces: culled parts of casters may be before visible surfaces (docs/method.md, C39).
     bool culledCaps = false;
@@ -122,7 +122,13 @@ bool mayEndAt(const Box& bounds, const PlanView& view, std::size_t end);
 /// The plane at which such volumes end, for the shaders. `ends`: PlanView::ends.
 glm::vec4 endOf(const ClusterPlan& draw, std::span<const glm::dvec4> ends);
 
-/// Decides how each cluster is drawn, if at all. A pure function.
+/// Arrays that planning uses again for the next batch.
+struct ClusterMemory {
+    Touched near, nearest;
+};
+
+/// Decides how each cluster is drawn, if at all, each by itself; mergeAlike() joins them. A pure
+/// function that reuses the memory of `plan`.
 ///
 /// - A cluster is not drawn if it is out of the light's range or cone, or if its volume (its box
 ///   extruded away from the light) certainly misses the view or begins behind everything visible.
@@ -151,16 +157,6 @@ glm::vec4 endOf(const ClusterPlan& draw, std::span<const glm::dvec4> ends);
 /// they need caps (docs/method.md, C33). Throws Error(unavailable) if the light is between the
 /// depths of a cluster that needs caps. `solids`: findSolids() of the shadow's clusters; empty:
 /// none is known to be solid.
-VolumePlan planVolumes(const PlanePairShadow& shadow, const PlanView& view,
-                       std::span<const std::uint8_t> solids = {});
-
-/// Arrays that planning uses again for the next batch.
-struct ClusterMemory {
-    Touched near, nearest;
-};
-
-/// As planVolumes(), with each drawn cluster by itself, for callers that decide further. Reuses the
-/// memory of `plan`.
 void planClusters(const PlanePairShadow& shadow, const PlanView& view,
                   std::span<const std::uint8_t> solids, ClusterMemory& memory, VolumePlan& plan);
 

@@ -4,6 +4,7 @@
 #include "preprocess/mesh/components.hpp"
 #include "src/shadow/geometry/polygon.hpp"
 #include "src/shadow/lights/light_contact.hpp"
+#include "src/shadow/lights/light_extent.hpp"
 #include "src/shadow/lights/light_range.hpp"
 #include "src/shadow/primitive_map/tile_spread.hpp"
 

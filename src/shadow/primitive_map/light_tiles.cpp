@@ -1,6 +1,7 @@
 #include "src/shadow/primitive_map/light_tiles.hpp"
 
 #include "src/shadow/geometry/vectors.hpp"
+#include "src/shadow/lights/light_extent.hpp"
 
 #include <algorithm>
 #include <cmath>

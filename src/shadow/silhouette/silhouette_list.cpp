@@ -65,13 +65,6 @@ std::uint32_t lightFacingCapCount(const SilhouetteList& proposal, const ShadowCl
 
 void listSilhouettes(const PlanePairShadow& shadow, const LightFacings& facings,
                      const LightBall& ball, int mantissaBits, SilhouetteList& proposal,
-                     double range) {
-    ListMemory memory;
-    listSilhouettes(shadow, facings, ball, mantissaBits, proposal, range, memory);
-}
-
-void listSilhouettes(const PlanePairShadow& shadow, const LightFacings& facings,
-                     const LightBall& ball, int mantissaBits, SilhouetteList& proposal,
                      double range, ListMemory& memory) {
     facings.find(ball, mantissaBits, proposal.facings);
     Appender certain(proposal.certain, shadow.pairs.size(), memory.certain);

@@ -52,9 +52,6 @@ struct ListMemory {
 /// reaches.
 void listSilhouettes(const PlanePairShadow& shadow, const LightFacings& facings,
                      const LightBall& ball, int mantissaBits, SilhouetteList& proposal,
-                     double range = std::numeric_limits<double>::infinity());
-void listSilhouettes(const PlanePairShadow& shadow, const LightFacings& facings,
-                     const LightBall& ball, int mantissaBits, SilhouetteList& proposal,
                      double range, ListMemory& memory);
 
 } // namespace edgeshade

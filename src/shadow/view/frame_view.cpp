@@ -86,12 +86,6 @@ double fittedNear(double nearest, double diagonal) {
                                   : std::max(0.01 * diagonal, smallest);
 }
 
-std::vector<DepthSlice> divideDepth(double near, double farthest, std::optional<int> count) {
-    std::vector<DepthSlice> slices;
-    divideDepth(near, farthest, count, slices);
-    return slices;
-}
-
 void divideDepth(double near, double farthest, std::optional<int> count,
                  std::vector<DepthSlice>& result) {
     const double ratio = std::max(1.0, farthest / near);
@@ -133,13 +127,6 @@ void FrameView::clear() {
 
 void FrameView::divide(std::optional<int> count) {
     if (!frustum.orthographic) divideDepth(near(), farthestDepth, count, slices);
-}
-
-FrameView makeFrameView(const Scene& scene, bool castMasked, const FrameRequest& request) {
-    FrameView view = makeFrameView(scene, request, worldBounds(scene));
-    for (FrameLight& of : view.lights)
-        of.layers = boundByTriangles(scene, castMasked, of.counted(), stencilLimit);
-    return view;
 }
 
 FrameView pointsView(const FrameView& view, std::size_t light, std::size_t first,

@@ -109,14 +109,11 @@ struct FrameView {
 
 constexpr std::size_t stencilLimit = 255; ///< the largest count of an 8-bit stencil
 
-/// Computes the near plane, the depth slices and the stencil layers, in time linear in the
-/// triangles, with a SceneTree of its own. `castMasked` as in CasterSettings. An orthographic
-/// picture has one slice, as its depth resolution is uniform. The slice holds the whole scene: its
-/// near and far planes cut no volume where it matters. Throws Error(usage) for too many lights.
-FrameView makeFrameView(const Scene& scene, bool castMasked, const FrameRequest& request);
-
-/// As above without layers, for callers that draw many frames. They keep the scene's `bounds` and
-/// its tree, and the layers (KeptLayers), while neither scene nor lights move.
+/// Computes the near plane and the depth slices; KeptLayers fills in the stencil layers. Callers
+/// that draw many frames keep the scene's `bounds` and its tree while it doesn't move. An
+/// orthographic picture has one slice, as its depth resolution is uniform. The slice holds the
+/// whole scene: its near and far planes cut no volume where it matters. Throws Error(usage) for too
+/// many lights.
 FrameView makeFrameView(const Scene& scene, const FrameRequest& request, const Box& bounds,
                         const SceneTree& tree);
 
@@ -143,7 +140,6 @@ FrameView shadedByPoints(const FrameView& view);
 
 /// Divides [near, farthest] into slices of equal ratios, from far to near. `count`: null for as
 /// many as pay.
-std::vector<DepthSlice> divideDepth(double near, double farthest, std::optional<int> count);
 void divideDepth(double near, double farthest, std::optional<int> count,
                  std::vector<DepthSlice>& slices);
 

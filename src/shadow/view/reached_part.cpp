@@ -20,12 +20,6 @@ PixelRectangle widened(const PixelRectangle& reach, const FrameView& view) {
 
 } // namespace
 
-FrameView reachedPart(const FrameView& view, const DepthSlice& slice, const Light& light) {
-    FrameView part;
-    findReachedPart(view, slice, light, part);
-    return part;
-}
-
 void findReachedPart(const FrameView& view, const DepthSlice& slice, const Light& light,
                      FrameView& part) {
     part.clear();
