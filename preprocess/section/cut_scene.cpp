@@ -1,8 +1,7 @@
 #include "preprocess/section/cut_scene.hpp"
 
-#include "preprocess/mesh/components.hpp"
-#include "preprocess/mesh/topology.hpp"
 #include "preprocess/section/section_fill.hpp"
+#include "preprocess/section/solid_triangles.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -17,28 +16,6 @@ Box boundsOf(const Geometry& geometry) {
     for (const glm::vec3& position : geometry.positions)
         box.add(glm::dvec3(position));
     return box;
-}
-
-/// For each triangle of a geometry, whether it bounds a solid: a closed, opaque component.
-std::vector<std::uint8_t> findSolidTriangles(const Batch& batch,
-                                             const std::vector<Material>& materials) {
-    const Geometry& geometry = *batch.geometry;
-    std::vector<std::uint8_t> solid(geometry.indices.size() / 3, 0);
-    Casters opaque;
-    std::vector<std::uint32_t> numbers; // of the geometry's triangles
-    for (const SurfaceGroup& group : geometry.groups) {
-        if (!materials[group.material].casts(false)) continue;
-        for (std::uint32_t i = group.firstIndex; i < group.firstIndex + group.indexCount; ++i)
-            opaque.indices.push_back(geometry.indices[i]);
-        for (std::uint32_t t = 0; t < group.indexCount / 3; ++t)
-            numbers.push_back(group.firstIndex / 3 + t);
-    }
-    opaque.groups.push_back({0, 0, static_cast<std::uint32_t>(opaque.indices.size())});
-    const WeldedMesh mesh = weld(geometry.positions, opaque.indices);
-    const Components components = findComponents(mesh, buildEdges(mesh));
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-        solid[numbers[mesh.source[t]]] = components.closed[components.ofTriangle[t]];
-    return solid;
 }
 
 } // namespace
@@ -179,7 +156,7 @@ SceneCutter::SceneCutter(Scene whole, bool castMasked)
 
 const std::vector<std::uint8_t>& SceneCutter::solidsOf(const Batch& batch) {
     const auto [found, isNew] = solids_.try_emplace(&*batch.geometry);
-    if (isNew) found->second = findSolidTriangles(batch, whole_->materials);
+    if (isNew) found->second = solidTriangles(*batch.geometry, whole_->materials);
     return found->second;
 }
 
