@@ -1,6 +1,8 @@
 #include "src/scene/gpu_scene.hpp"
 #include "src/settings/build_parts.hpp"
 
+#include <map>
+
 namespace edgeshade {
 namespace {
 
@@ -19,6 +21,7 @@ std::optional<HoleSource> holeSource(const LoadedScene& loaded, const Batch& bat
 
 void addPlanePairs(GpuScene& gpu, const LoadedScene& loaded, SidesLayout layout) {
     const auto made = byGeometry(loaded.scene.batches, [&](std::size_t i) {
+        if (gpu.batches[i].volumes.planePairs) return gpu.batches[i].volumes.planePairs;
         const Batch& batch = loaded.scene.batches[i];
         const auto& shadow = loaded.planePairs[i];
         const auto source = holeSource(loaded, batch);
@@ -69,14 +72,40 @@ std::size_t GpuScene::shadowBytes() const {
     return total + groups.sideBytes() + groups.capBytes();
 }
 
+namespace {
+
+/// A scene's batches by their records, for the scene under another section.
+class KnownBatches {
+  public:
+    KnownBatches(const GpuScene* scene, const std::optional<VolumeRecords>& records) {
+        if (!scene || !records || records->volumes != VolumeLayout::planePairs) return;
+        for (const GpuBatch& batch : scene->batches) {
+            const auto& volumes = batch.volumes.planePairs;
+            if (volumes && volumes->layout() == records->layout)
+                known_.emplace(volumes->shadow().get(), &batch);
+        }
+    }
+
+    const GpuBatch* of(const PlanePairShadow& records) const {
+        const auto found = known_.find(&records);
+        return found != known_.end() ? found->second : nullptr;
+    }
+
+  private:
+    std::map<const PlanePairShadow*, const GpuBatch*> known_;
+};
+
+} // namespace
+
 GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> records,
-                     const gl::Capabilities& capabilities) {
+                     const gl::Capabilities& capabilities, const GpuScene* before) {
     const Scene& scene = loaded.scene;
+    const KnownBatches known(before, records);
     GpuScene gpu{{},
                  {},
                  {},
                  scene.materials,
-                 Textures(loaded, capabilities),
+                 before ? before->textures : Textures(loaded, capabilities),
                  loaded.settings.castMasked,
                  loaded.cutoutsCast};
     const std::vector<std::size_t> first = firstOfGeometry(scene.batches);
@@ -89,6 +118,12 @@ GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> rec
         made.hidden = batch.hidden;
         keepGeometry(made, batch);
         made.owns = first[i] == i;
+        const GpuBatch* const same = known.of(*loaded.planePairs[i]);
+        if (same) {
+            made.surfaces = same->surfaces;
+            made.volumes.planePairs = same->volumes.planePairs;
+            continue;
+        }
         made.surfaces = made.owns ? std::make_shared<std::vector<SurfaceChunk>>(
                                         uploadSurfaces(batch, scene.materials))
                                   : gpu.batches[first[i]].surfaces;
@@ -104,7 +139,10 @@ GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> rec
         }
     for (std::size_t i = 0; i < scene.batches.size(); ++i)
         if (scene.batches[i].deforms()) gpu.batches[i].parts = surfacePartsOf(scene.batches[i]);
-    if (records) addVolumes(gpu, loaded, *records);
+    if (records && records->volumes == VolumeLayout::planePairs)
+        addPlanePairs(gpu, loaded, records->layout);
+    else if (records)
+        addVolumes(gpu, loaded, *records);
     return gpu;
 }
 

@@ -268,7 +268,8 @@ void Viewer::Parts::applyGround() {
     const bool shown = state.ground.has_value();
     if (shown) {
         setGround(loaded->scene, *state.ground);
-        if (gpu && gpu->scene) gpu->scene->materials.back() = loaded->scene.materials.back();
+        const std::size_t material = *groundMaterialOf(loaded->scene);
+        if (gpu && gpu->scene) gpu->scene->materials[material] = loaded->scene.materials[material];
     }
     if (shown == loaded->showsGround) return;
     loaded->showsGround = shown;

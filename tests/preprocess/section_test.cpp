@@ -113,7 +113,7 @@ TEST(Section, FillsTheCutOfASolid) {
     EXPECT_EQ(openEdges(trianglesOf(cut, true)), 0u);
     EXPECT_NEAR(volumeOf(trianglesOf(cut, true)), 4.0 * 1.25, 1e-5);
     EXPECT_FALSE(cut.culls);
-    EXPECT_EQ(cut.materials.back().baseColorFactor, glm::vec4(red, 1.0f));
+    EXPECT_EQ(cut.materials[cut.whole().materials.size()].baseColorFactor, glm::vec4(red, 1.0f));
 }
 
 TEST(Section, LeavesTheHoleOfARingOpen) {
