@@ -11,7 +11,7 @@ namespace edgeshade {
 namespace {
 
 /// Triangles at which a block is full; a component is never divided.
-constexpr std::size_t blockTriangles = 1024;
+constexpr std::size_t blockTriangles = 512;
 
 /// The block of each triangle, and their number.
 struct Blocks {

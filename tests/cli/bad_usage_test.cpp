@@ -359,7 +359,7 @@ const BadUsage usages[] = {
     badRender("AmbientNaN", {"--ambient", "nan"}),
     badRender("SectionWithoutADirection", {"--section", "0,0,0,1"}),
     badRender("SectionOfThreeNumbers", {"--section", "0,1,0"}),
-    badRender("SectionNaN", {"--section", "0,nan,0,1"}),
+    badRender("SectionNaN", {"--section", "0,nan,0,1"}, {"--section", "nan"}),
     badRender("SectionBoxInsideOut", {"--section-box", "1,0,0,0,1,1"}),
     badRender("SectionBoxOfFiveNumbers", {"--section-box", "0,0,0,1,1"}),
     badRender("SectionFillOfNoColour", {"--section-fill", "red"}),
