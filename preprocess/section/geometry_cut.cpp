@@ -1,7 +1,5 @@
 #include "preprocess/section/geometry_cut.hpp"
 
-#include "preprocess/mesh/weld.hpp"
-
 #include <algorithm>
 #include <unordered_map>
 
@@ -13,13 +11,8 @@ double heightOver(const glm::dvec4& plane, const glm::vec3& point) {
            plane.z * static_cast<double>(point.z) + plane.w;
 }
 
-/// The position on the edge from `a` to `b`, whose heights over the plane are on different sides.
-glm::vec3 crossingOf(glm::vec3 a, double heightOfA, glm::vec3 b, double heightOfB) {
-    if (orderedBefore(b, a)) {
-        std::swap(a, b);
-        std::swap(heightOfA, heightOfB);
-    }
-    const double share = heightOfA / (heightOfA - heightOfB);
+/// The position on the edge from `a`, which is kept, to `b`, which isn't: `share` of the way.
+glm::vec3 crossingOf(const glm::vec3& a, const glm::vec3& b, double share) {
     const glm::vec3 at(glm::dvec3(a) + share * (glm::dvec3(b) - glm::dvec3(a)));
     // Rounding must not leave the edge's box. Adding 0 turns -0 into 0.
     return glm::clamp(at, glm::min(a, b), glm::max(a, b)) + 0.0f;
@@ -54,12 +47,12 @@ class EdgeCutter {
     }
 
   private:
+    /// `a` is kept, so every triangle at the edge computes the same.
     void add(std::uint32_t a, std::uint32_t b) {
         const double share = heights_[a] / (heights_[a] - heights_[b]);
         const auto part = static_cast<float>(share);
-        const glm::vec3 at =
-            crossingOf(geometry_.positions[a], heights_[a], geometry_.positions[b], heights_[b]);
-        geometry_.positions.push_back(at);
+        geometry_.positions.push_back(
+            crossingOf(geometry_.positions[a], geometry_.positions[b], share));
         addBetween(geometry_.normals, a, b, part);
         if (!geometry_.normals.empty()) geometry_.normals.back() = unit(geometry_.normals.back());
         addBetween(geometry_.texcoords, a, b, part);

@@ -25,7 +25,7 @@ struct CutLine {
 /// Cuts a geometry's triangles along planes, one after the other (docs/method.md, C49).
 ///
 /// Neighbours agree bit for bit: which side a vertex is on depends on its position alone, and where
-/// an edge is cut on its two end points alone, taken in the order of orderedBefore().
+/// an edge is cut on its two end points alone, starting at the one that is kept.
 class GeometryCut {
   public:
     /// Starts with the triangles that `indices` lists, three corners each. `solid`: by triangle;
