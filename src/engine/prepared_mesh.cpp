@@ -53,7 +53,7 @@ Geometry geometryOf(const MaskMesh& from) {
 
 } // namespace
 
-std::shared_ptr<const PreparedMesh::Data> preparedFrom(Geometry geometry, bool alphaTested,
+std::shared_ptr<const PreparedMesh::Data> preparedFrom(Geometry geometry, bool testsAlpha,
                                                        bool solid) {
     Batch batch;
     batch.geometry = CopyOnWrite<Geometry>(std::move(geometry));
@@ -64,10 +64,10 @@ std::shared_ptr<const PreparedMesh::Data> preparedFrom(Geometry geometry, bool a
     shadow->solids =
         solid ? findSolids(*shadow) : std::vector<std::uint8_t>(shadow->clusters.size(), 0);
     std::vector<glm::vec4> corners;
-    if (alphaTested && !casters.indices.empty())
+    if (testsAlpha && !casters.indices.empty())
         corners = alphaCorners(batch, casters, weldForRecords(batch, casters), *shadow);
     return std::make_shared<const PreparedMesh::Data>(
-        PreparedMesh::Data{batch.geometry, std::move(shadow), alphaTested, std::move(corners)});
+        PreparedMesh::Data{batch.geometry, std::move(shadow), testsAlpha, std::move(corners)});
 }
 
 PreparedMesh::PreparedMesh(const MaskMesh& mesh)

@@ -30,7 +30,7 @@ std::optional<std::size_t> hiddenMaterial(std::size_t material);
 
 /// Finds the edges of a geometry whose groups are of the maskMaterials(). `solid`: whether to look
 /// for closed solids, which takes time.
-std::shared_ptr<const PreparedMesh::Data> preparedFrom(Geometry geometry, bool alphaTested,
+std::shared_ptr<const PreparedMesh::Data> preparedFrom(Geometry geometry, bool testsAlpha,
                                                        bool solid);
 
 } // namespace edgeshade

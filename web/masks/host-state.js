@@ -97,7 +97,8 @@ export class HostState {
         gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
       }
       gl.bindRenderbuffer(gl.RENDERBUFFER, renderbuffer);
-      gl.useProgram(program);
+      // A program that was deleted while in use is gone once drawing used another.
+      gl.useProgram(program && gl.getProgramParameter(program, gl.DELETE_STATUS) ? null : program);
       gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
       for (const [i, [texture, sampler]] of units.entries()) {
         gl.activeTexture(gl.TEXTURE0 + i);
