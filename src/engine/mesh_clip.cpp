@@ -73,8 +73,9 @@ MeshClip::Mesh clippedMesh(const PreparedMesh::Data& mesh, const Planes& planes,
         made.indices.insert(made.indices.end(), of.begin(), of.end());
     }
     const auto& solids = mesh.shadow->solids;
-    const bool solid =
-        solids && std::any_of(solids->begin(), solids->end(), [](auto is) { return is != 0; });
+    // Where what is cut away casts, invisible parts close the mesh: it isn't solid to the eye.
+    const bool solid = !keepsAway && solids &&
+                       std::any_of(solids->begin(), solids->end(), [](auto is) { return is != 0; });
     return preparedFrom(std::move(made), mesh.alphaTested, solid);
 }
 

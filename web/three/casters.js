@@ -88,9 +88,13 @@ export class Casters {
     return [...this.#prepared.values()].filter(({ number, ahead }) => number === null || ahead).length;
   }
 
-  /** Whether a followed mesh casts with all of its triangles. */
+  /**
+   * Whether a followed mesh casts with all of its triangles, as lookups may assume. Clipped ones show
+   * their insides, which lookups must not take for the lit outsides beside them.
+   */
   casts(mesh) {
-    return this.#meshes.get(mesh)?.casts ?? false;
+    const had = this.#meshes.get(mesh);
+    return Boolean(had?.casts) && had.clippings === unclipped;
   }
 
   /** Resolves when nothing is pending; throws any error since the last call. */
