@@ -55,7 +55,7 @@ const assertRight = (name, { surfaces, dark, wrong, beyond }) => {
 };
 
 for (const release of ['three-0.152', 'three'])
-  for (const lamp of [false, true])
+  for (const lamp of release === 'three' ? [false, true] : [false])
     test(`a house cut open, under a ${lamp ? 'lamp' : 'sun'}, in ${release}`, async () => {
       const told = await inPage(new Function('page', 'house', `return (${everyCut})(page, house, ${lamp})`), release);
       console.log(told);
