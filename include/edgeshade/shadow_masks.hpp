@@ -56,6 +56,16 @@ struct MaskAlpha {
     std::array<float, 9> texcoordTransform = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 };
 
+/// Planes that clip a mesh.
+struct MaskClipping {
+    /// A plane keeps the points with a x + b y + c z + d >= 0; world space, of any length, finite.
+    std::span<const std::array<double, 4>> planes;
+    /// Clips only what all planes clip away; otherwise what any of them does.
+    bool intersection = false;
+    /// What is clipped away is invisible, and still casts; otherwise it casts nothing.
+    bool casts = false;
+};
+
 /// A mesh with its edges found. Preparing it takes time linear in its triangles, on any thread and
 /// without a GL. Copies are the same mesh, which masks store once however often it is added.
 class PreparedMesh {
@@ -136,6 +146,8 @@ class ShadowMasks {
 
     /// The most lights of one draw().
     static constexpr std::size_t mostLights = 32;
+    /// The most planes that clip one mesh.
+    static constexpr std::size_t mostClippingPlanes = 12;
 
     explicit ShadowMasks(LookUp lookUp, StateKeeper keeper = StateKeeper::engine);
     ~ShadowMasks();
@@ -155,6 +167,10 @@ class ShadowMasks {
     void setAlpha(Id id, const MaskAlpha& alpha);
     /// Moves a mesh, and keeps its shape.
     void move(Id id, const Matrix16& worldFromObject);
+    /// Clips a mesh, by all of the clippings, in place of those before; up to mostClippingPlanes in
+    /// all. They stay when the mesh is moved or changed. Cut surfaces stay open. Cutting takes time
+    /// linear in the mesh's triangles, when planes cross its box.
+    void setClippings(Id id, std::span<const MaskClipping> clippings);
     void remove(Id id);
 
     /// Draws the masks: 1 where nothing opaque, the surface itself included, lies between the

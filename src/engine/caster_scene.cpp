@@ -63,14 +63,15 @@ void CasterScene::change(Id id, const PreparedMesh& mesh) {
 
 void CasterScene::setAlpha(Id id, const MaskAlpha& alpha) {
     requireKnown(id);
-    if (!slots_[id].mesh->alphaTested)
+    if (!slots_[id].whole->alphaTested)
         throw InputError("Mesh " + std::to_string(id) + " is not alpha-tested.");
     for (const float number : alpha.texcoordTransform)
         if (!std::isfinite(number))
             throw InputError("An alpha's transform has a number that is not finite.");
     if (!std::isfinite(alpha.opacity) || !std::isfinite(alpha.cutoff))
         throw InputError("An alpha has an opacity or a cutoff that is not finite.");
-    gpu_->batches[id].alpha = lookupOf(alpha);
+    slots_[id].alpha = alpha;
+    if (slots_[id].mesh->alphaTested) gpu_->batches[id].alpha = lookupOf(alpha);
 }
 
 AlphaLookup CasterScene::lookupOf(const MaskAlpha& alpha) const {
@@ -89,6 +90,45 @@ void CasterScene::move(Id id, const Matrix16& worldFromObject) {
     if (loaded_.scene.batches[id].worldFromBatch == to) return;
     disturb(id);
     place(id, to);
+    if (clip(id)) show(id, slots_[id].mesh);
+}
+
+void CasterScene::setClippings(Id id, std::span<const MaskClipping> clippings) {
+    requireKnown(id);
+    std::vector<MeshClip> clips;
+    std::size_t planes = 0;
+    for (const bool cast : {false, true})
+        for (const MaskClipping& of : clippings)
+            if (of.casts == cast) planes += clips.emplace_back(of).planes();
+    if (planes > ShadowMasks::mostClippingPlanes)
+        throw InputError(std::to_string(planes) + " planes are more than the " +
+                         std::to_string(ShadowMasks::mostClippingPlanes) +
+                         " that can clip a mesh.");
+    std::vector<MeshClip>& had = slots_[id].clips;
+    if (std::equal(clips.begin(), clips.end(), had.begin(), had.end(),
+                   [](const MeshClip& a, const MeshClip& b) { return a.hasSamePlanes(b); }))
+        return;
+    for (std::size_t i = 0; i < std::min(clips.size(), had.size()); ++i)
+        clips[i].takeMade(std::move(had[i]));
+    had = std::move(clips);
+    const std::shared_ptr<const PreparedMesh::Data> before = slots_[id].caster;
+    const bool cast = slots_[id].casts();
+    if (clip(id)) {
+        disturb(id);
+        show(id, slots_[id].mesh);
+    }
+    if (slots_[id].caster != before && (cast || slots_[id].casts())) ++casterState_;
+}
+
+bool CasterScene::clip(std::size_t batch) {
+    Slot& slot = slots_[batch];
+    const auto before = std::exchange(slot.mesh, slot.whole);
+    slot.caster = slot.whole;
+    for (MeshClip& by : slot.clips) {
+        slot.mesh = by.clip(slot.mesh, loaded_.scene.batches[batch].worldFromBatch, slot.own);
+        if (!by.casts()) slot.caster = slot.mesh;
+    }
+    return slot.mesh != before;
 }
 
 void CasterScene::remove(Id id) {
@@ -119,12 +159,13 @@ void CasterScene::place(std::size_t batch, const glm::dmat4& worldFromBatch) {
 void CasterScene::put(std::size_t batch, const PreparedMesh& mesh) {
     Slot& slot = slots_[batch];
     const bool cast = slot.casts();
-    slot.mesh = mesh.data();
+    slot.whole = mesh.data();
+    slot.alpha = {};
     slot.changed = draws_;
     slot.own = {};
-    if (mayMerge(*slot.mesh))
-        for (const glm::vec3& position : slot.mesh->geometry->positions)
-            slot.own.add(position);
+    for (const glm::vec3& position : slot.whole->geometry->positions)
+        slot.own.add(position);
+    clip(batch);
     if (cast || slot.casts()) ++casterState_;
     show(batch, slot.mesh);
 }
@@ -134,7 +175,7 @@ void CasterScene::show(std::size_t batch, const std::shared_ptr<const PreparedMe
     loaded_.scene.batches[batch].geometry = shown.geometry;
     loaded_.planePairs[batch] = shown.shadow;
     gpu_->batches[batch].alpha.reset();
-    if (shown.alphaTested) gpu_->batches[batch].alpha = lookupOf(MaskAlpha{});
+    if (shown.alphaTested) gpu_->batches[batch].alpha = lookupOf(slots_[batch].alpha);
     gpu_->batches[batch].hidden = !mesh;
     slots_[batch].uploaded = false;
     changed();
@@ -162,8 +203,8 @@ std::vector<MergeCandidate> CasterScene::candidates() const {
     std::vector<MergeCandidate> found;
     for (std::size_t i = 0; i < slots_.size(); ++i) {
         const Slot& slot = slots_[i];
-        if (slot.use != Slot::Use::mesh || slot.mergedInto || slot.own.empty() ||
-            draws_ - slot.changed < slot.patience)
+        if (slot.use != Slot::Use::mesh || slot.mergedInto || slot.isClipped() ||
+            !mayMerge(*slot.mesh) || draws_ - slot.changed < slot.patience)
             continue;
         MergeCandidate& of = found.emplace_back();
         of.number = i;
@@ -268,7 +309,7 @@ std::vector<LookupTask::Caster> CasterScene::casters() const {
     std::vector<LookupTask::Caster> all;
     for (std::size_t i = 0; i < slots_.size(); ++i)
         if (slots_[i].use == Slot::Use::mesh && slots_[i].casts())
-            all.push_back({slots_[i].mesh->shadow, loaded_.scene.batches[i].worldFromBatch});
+            all.push_back({slots_[i].caster->shadow, loaded_.scene.batches[i].worldFromBatch});
     return all;
 }
 

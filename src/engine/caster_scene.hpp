@@ -2,6 +2,7 @@
 
 #include "edgeshade/shadow_masks.hpp"
 #include "src/engine/lookup_work.hpp"
+#include "src/engine/mesh_clip.hpp"
 #include "src/engine/mesh_merging.hpp"
 #include "src/scene/gpu_scene.hpp"
 #include "src/scene/load.hpp"
@@ -34,6 +35,7 @@ class CasterScene {
     void change(Id id, const PreparedMesh& mesh);
     void setAlpha(Id id, const MaskAlpha& alpha);
     void move(Id id, const Matrix16& worldFromObject);
+    void setClippings(Id id, std::span<const MaskClipping> clippings);
     void remove(Id id);
 
     /// Called before each draw(): merges some meshes that have rested for a while, if there are
@@ -75,14 +77,19 @@ class CasterScene {
         enum class Use { free, mesh, merged };
         Use use = Use::free;
         bool uploaded = false;
-        std::shared_ptr<const PreparedMesh::Data> mesh; ///< also if another batch draws it
-        Box own;                          ///< of the mesh, in its space; empty: it isn't merged
-        std::size_t changed = 0;          ///< the draw() before which it last changed
-        std::size_t patience = shortRest; ///< draws that it has to rest before it is merged
+        /// As it was added, clipped as a caster, and clipped as a surface; the same mesh if no
+        /// plane crosses it. A merged mesh has only the last.
+        std::shared_ptr<const PreparedMesh::Data> whole, caster, mesh;
+        std::vector<MeshClip> clips; ///< those that cut casters come first
+        MaskAlpha alpha;
+        Box own;                                 ///< of the whole mesh, in its space
+        std::size_t changed = 0;                 ///< the draw() before which it last changed
+        std::size_t patience = shortRest;        ///< draws that it has to rest before it is merged
         std::optional<std::size_t> mergedInto{}; ///< the batch that draws it
         std::vector<std::size_t> members{};      ///< of a merged mesh
 
-        bool casts() const { return mesh && !mesh->shadow->caps.empty(); }
+        bool casts() const { return caster && !caster->shadow->caps.empty(); }
+        bool isClipped() const { return mesh != whole; }
     };
     static constexpr std::size_t shortRest = 30, longRest = 3000;   // draws
     static constexpr std::size_t mostMerged = std::size_t{1} << 20; // triangles
@@ -93,6 +100,8 @@ class CasterScene {
     std::size_t freeBatch();
     void place(std::size_t batch, const glm::dmat4& worldFromBatch);
     void put(std::size_t batch, const PreparedMesh& mesh);
+    /// Clips a mesh again. Returns whether the batch has to draw another one.
+    bool clip(std::size_t batch);
     /// Makes the batch draw a mesh; null: nothing.
     void show(std::size_t batch, const std::shared_ptr<const PreparedMesh::Data>& mesh);
     /// Leaves a batch, empty and hidden, to the next mesh.

@@ -12,7 +12,7 @@ namespace edgeshade {
 namespace {
 
 // Bits of a material's number in maskMaterials().
-constexpr std::size_t singleSided = 1, receives = 2, alphaTested = 4;
+constexpr std::size_t singleSided = 1, receives = 2, alphaTested = 4, hidden = 8;
 
 std::size_t materialOf(const MaskMesh& mesh) {
     return (mesh.doubleSided ? 0 : singleSided) + (mesh.casts ? 0 : receives) +
@@ -51,37 +51,42 @@ Geometry geometryOf(const MaskMesh& from) {
     return geometry;
 }
 
-std::vector<glm::vec4> alphaCornersOf(const MaskMesh& mesh, const Batch& batch,
-                                      const Casters& casters, const PlanePairShadow& shadow) {
-    if (!mesh.casts || !mesh.alphaTested) return {};
-    return alphaCorners(batch, casters, weldForRecords(batch, casters), shadow);
-}
+} // namespace
 
-std::shared_ptr<const PreparedMesh::Data> prepared(const MaskMesh& mesh) {
+std::shared_ptr<const PreparedMesh::Data> preparedFrom(Geometry geometry, bool testsAlpha,
+                                                       bool solid) {
     Batch batch;
-    batch.geometry = CopyOnWrite<Geometry>(geometryOf(mesh));
+    batch.geometry = CopyOnWrite<Geometry>(std::move(geometry));
     const std::vector<Material> materials = maskMaterials();
     const Casters casters = castersOf(batch, materials, true);
     auto shadow =
         std::make_shared<PlanePairShadow>(buildPlanePairs(batch, casters, materials, 0.0));
     shadow->solids =
-        mesh.bends ? std::vector<std::uint8_t>(shadow->clusters.size(), 0) : findSolids(*shadow);
-    std::vector<glm::vec4> corners = alphaCornersOf(mesh, batch, casters, *shadow);
-    return std::make_shared<const PreparedMesh::Data>(PreparedMesh::Data{
-        batch.geometry, std::move(shadow), mesh.alphaTested, std::move(corners)});
+        solid ? findSolids(*shadow) : std::vector<std::uint8_t>(shadow->clusters.size(), 0);
+    std::vector<glm::vec4> corners;
+    if (testsAlpha && !casters.indices.empty())
+        corners = alphaCorners(batch, casters, weldForRecords(batch, casters), *shadow);
+    return std::make_shared<const PreparedMesh::Data>(
+        PreparedMesh::Data{batch.geometry, std::move(shadow), testsAlpha, std::move(corners)});
 }
 
-} // namespace
+PreparedMesh::PreparedMesh(const MaskMesh& mesh)
+    : data_(preparedFrom(geometryOf(mesh), mesh.alphaTested, !mesh.bends)) {}
 
-PreparedMesh::PreparedMesh(const MaskMesh& mesh) : data_(prepared(mesh)) {}
+std::optional<std::size_t> hiddenMaterial(std::size_t material) {
+    return (material & receives) == 0 ? std::optional(material | hidden) : std::nullopt;
+}
 
 std::vector<Material> maskMaterials() {
-    std::vector<Material> made(8);
+    std::vector<Material> made(16);
     for (std::size_t i = 0; i < made.size(); ++i) {
         made[i].doubleSided = (i & singleSided) == 0;
         // Like a ground, it casts nothing, even where MASK surfaces cast.
         if (i & receives) made[i].ground = GroundMaterial::surface;
         if (i & alphaTested) made[i].alphaMode = AlphaMode::mask;
+        if ((i & hidden) == 0) continue;
+        made[i].section = SectionPart::away;
+        if ((i & alphaTested) == 0) made[i].alphaMode = AlphaMode::blend;
     }
     return made;
 }

@@ -208,6 +208,10 @@ void ShadowMasks::move(Id id, const Matrix16& worldFromObject) {
     impl_->drawing->casters.move(id, worldFromObject);
 }
 
+void ShadowMasks::setClippings(Id id, std::span<const MaskClipping> clippings) {
+    impl_->drawing->casters.setClippings(id, clippings);
+}
+
 void ShadowMasks::remove(Id id) {
     impl_->drawing->casters.remove(id);
 }

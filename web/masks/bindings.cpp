@@ -48,6 +48,18 @@ MaskAlpha alphaAt(unsigned texture, bool green, const float* numbers) {
     return alpha;
 }
 
+/// Clippings, each by its planes' count, whether it clips their intersection, whether what it clips
+/// casts, and four numbers for each plane.
+std::vector<MaskClipping> clippingsAt(const double* numbers, std::size_t count) {
+    std::vector<MaskClipping> all;
+    for (; all.size() < count; numbers += 3 + 4 * all.back().planes.size())
+        all.push_back({{reinterpret_cast<const std::array<double, 4>*>(numbers + 3),
+                        static_cast<std::size_t>(numbers[0])},
+                       numbers[1] != 0.0,
+                       numbers[2] != 0.0});
+    return all;
+}
+
 /// Numbers of a light: kind, position, direction, range, outer angle, radius.
 constexpr std::size_t lightNumbers = 10;
 
@@ -106,6 +118,10 @@ class PageMasks {
     }
     bool move(int id, std::uintptr_t matrix) {
         return done([&] { masks().move(idOf(id), matrixAt(matrix)); });
+    }
+    bool setClippings(int id, std::uintptr_t numbers, std::size_t count) {
+        return done(
+            [&] { masks().setClippings(idOf(id), clippingsAt(at<double>(numbers), count)); });
     }
     bool remove(int id) {
         return done([&] { masks().remove(idOf(id)); });
@@ -249,6 +265,7 @@ EMSCRIPTEN_BINDINGS(edgeshade_masks) {
         .function("change", &PageMasks::change)
         .function("setAlpha", &PageMasks::setAlpha)
         .function("move", &PageMasks::move)
+        .function("setClippings", &PageMasks::setClippings)
         .function("remove", &PageMasks::remove)
         .function("draw", &PageMasks::draw)
         .function("lookupTask", &PageMasks::lookupTask)

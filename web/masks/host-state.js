@@ -80,6 +80,8 @@ export class HostState {
     const ask = (name) => gl.getParameter(gl[name]);
     const [framebuffer, renderbuffer, program, buffer, unit] =
       ['FRAMEBUFFER_BINDING', 'RENDERBUFFER_BINDING', 'CURRENT_PROGRAM', 'ARRAY_BUFFER_BINDING', 'ACTIVE_TEXTURE'].map(ask);
+    // A program that was deleted while in use is gone once drawing uses another.
+    const isLost = program && gl.getProgramParameter(program, gl.DELETE_STATUS);
     const [read, pack, unpack] = this.#webGl2 ?
       ['READ_FRAMEBUFFER_BINDING', 'PIXEL_PACK_BUFFER_BINDING', 'PIXEL_UNPACK_BUFFER_BINDING'].map(ask) : [];
     const units = [];
@@ -97,7 +99,7 @@ export class HostState {
         gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
       }
       gl.bindRenderbuffer(gl.RENDERBUFFER, renderbuffer);
-      gl.useProgram(program);
+      gl.useProgram(isLost ? null : program);
       gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
       for (const [i, [texture, sampler]] of units.entries()) {
         gl.activeTexture(gl.TEXTURE0 + i);

@@ -47,6 +47,16 @@ export interface MaskAlpha {
   texcoordTransform?: ArrayLike<number> & Iterable<number>;
 }
 
+/** Planes that clip a mesh. */
+export interface MaskClipping {
+  /** [a, b, c, d] each, which keeps a x + b y + c z + d >= 0; in the world, of any length. */
+  planes: [number, number, number, number][];
+  /** Clips only what all planes clip; otherwise what any of them does. Default: false. */
+  intersection?: boolean;
+  /** Whether what is clipped away casts, though it is invisible. Default: false. */
+  casts?: boolean;
+}
+
 export interface MaskLight {
   /** Default: 'directional'. */
   kind?: 'directional' | 'point' | 'spot';
@@ -174,6 +184,11 @@ export class ShadowMasks {
   /** For an alpha-tested mesh, which has no holes until this is set, nor after change(). */
   setAlpha(id: number, alpha: MaskAlpha): void;
   move(id: number, worldFromObject: Matrix): void;
+  /**
+   * Clips a mesh by all of these, in place of those before; at most 12 planes. They stay when it is
+   * moved or changed. Cut surfaces stay open.
+   */
+  setClippings(id: number, clippings: MaskClipping[]): void;
   remove(id: number): void;
 
   /** The textures belong to the engine, and stay valid until the next draw(). */

@@ -129,6 +129,16 @@ export class ShadowMasks {
     this.#withMatrices(matrix, (address) => this.#require(this.#masks.move(id, address)));
   }
 
+  /** Clips a mesh by planes in the world, in place of those before. */
+  setClippings(id, clippings) {
+    const numbers = clippings.flatMap(({ planes, intersection, casts }) => {
+      if (planes.some(({ length }) => length !== 4)) throw new Error('A clipping plane must have 4 numbers.');
+      return [planes.length, intersection ? 1 : 0, casts ? 1 : 0, ...planes.flat()];
+    });
+    withCopies(this.#program, [Float64Array.from(numbers)], ([address]) =>
+      this.#require(this.#masks.setClippings(id, address, clippings.length)));
+  }
+
   remove(id) {
     this.#require(this.#masks.remove(id));
     this.#textures.drop(id);

@@ -2,6 +2,7 @@
 
 import { BackSide, DoubleSide, Matrix4 } from 'three';
 import { isAlphaTested, sameAlpha, texcoordsNameOf } from './alpha-tests.js';
+import { unclipped } from './clippings.js';
 import { isPosed, poseOf, sameNumbers, shapeOf, texcoordsOf, versionsOf } from './mesh-shape.js';
 
 /** Up to this many triangles edges are found immediately, well within a frame. */
@@ -69,14 +70,17 @@ function placesOf(mesh) {
 export class Casters {
   #masks;
   #alphaTests;
+  #clippings;
   #prepared = new Map(); // by key: {number or null while pending, users, promise; ahead: still to
                          // upload}
   #meshes = new Map();   // three.js's mesh: the engine's record of it
   #problems = [];
+  #told = new WeakSet(); // meshes that were warned of
 
-  constructor(masks, alphaTests) {
+  constructor(masks, alphaTests, clippings) {
     this.#masks = masks;
     this.#alphaTests = alphaTests;
+    this.#clippings = clippings;
   }
 
   /** Number of meshes whose edges aren't found yet, or that aren't uploaded. */
@@ -84,9 +88,13 @@ export class Casters {
     return [...this.#prepared.values()].filter(({ number, ahead }) => number === null || ahead).length;
   }
 
-  /** Whether a followed mesh casts with all of its triangles. */
+  /**
+   * Whether a followed mesh casts with all of its triangles, as lookups may assume. Clipped ones show
+   * their insides, which lookups must not take for the lit outsides beside them.
+   */
   casts(mesh) {
-    return this.#meshes.get(mesh)?.casts ?? false;
+    const had = this.#meshes.get(mesh);
+    return Boolean(had?.casts) && had.clippings === unclipped;
   }
 
   /** Resolves when nothing is pending; throws any error since the last call. */
@@ -133,12 +141,13 @@ export class Casters {
 
   #followOne(mesh, role) {
     let had = this.#meshes.get(mesh);
-    if (!had) this.#meshes.set(mesh, had = { key: null, ids: [], places: [], alphas: [], shown: null });
+    if (!had) this.#meshes.set(mesh, had = { key: null, ids: [], places: [], alphas: [], shown: null, clippings: unclipped });
     had.casts = role.casts;
     if (isPosed(mesh)) this.#pose(mesh, role, had);
     else this.#followShape(mesh, role, had);
     const { number: found = null, ahead } = this.#prepared.get(had.key) ?? {};
     if (found === null || ahead) return;
+    this.#clip(mesh, had);
     this.#place(mesh, found, had);
     if (role.tested) this.#setAlpha(role.tested, had);
   }
@@ -217,6 +226,7 @@ export class Casters {
     for (const [i, matrix] of places.entries()) {
       if (i >= ids.length) {
         ids.push(this.#masks.add(number, matrix));
+        if (had.clippings.length) this.#clipOne(ids[i], had.clippings);
         continue;
       }
       if (had.shown !== number) {
@@ -226,6 +236,32 @@ export class Casters {
       if (!sameNumbers(had.places[i], matrix)) this.#masks.move(ids[i], matrix);
     }
     Object.assign(had, { places, shown: number });
+  }
+
+  /** Sets the planes of all instances, if they have changed. */
+  #clip(mesh, had) {
+    const { material } = mesh;
+    const clippings = Array.isArray(material) ? this.#clippingsOfAll(mesh) : this.#clippings.of(material);
+    if (had.clippings === clippings) return;
+    had.clippings = clippings;
+    for (const id of had.ids) this.#clipOne(id, clippings);
+  }
+
+  #clippingsOfAll(mesh) {
+    const [first, ...others] = materialsOf(mesh).filter(isShown).map((material) => this.#clippings.of(material));
+    if (!this.#told.has(mesh) && others.some((other) => JSON.stringify(other) !== JSON.stringify(first))) {
+      this.#told.add(mesh);
+      console.warn(`The shadows of mesh '${mesh.name}' are clipped as its first material: its materials have different clipping planes.`);
+    }
+    return first;
+  }
+
+  #clipOne(id, clippings) {
+    try {
+      this.#masks.setClippings(id, clippings);
+    } catch (error) {
+      this.#problems.push(error.message);
+    }
   }
 
   /** Sets the alpha of all instances, if it has changed. */

@@ -4,6 +4,7 @@ import { Matrix4, Vector2, Vector3, Vector4 } from 'three';
 import { mostLights, ShadowMasks } from '../masks/shadow-masks.js';
 import { AlphaTests } from './alpha-tests.js';
 import { Casters } from './casters.js';
+import { Clippings } from './clippings.js';
 import { mostSlots, slotName } from './lit.glsl.js';
 import { MaskTextures } from './mask-textures.js';
 import { MaterialPatches } from './material-patch.js';
@@ -102,7 +103,7 @@ export class ExactShadows {
         if (this.#disposed) return masks.dispose();
         this.#masks = masks;
         this.#resetRenderer();
-        this.#casters = new Casters(masks, new AlphaTests(renderer));
+        this.#casters = new Casters(masks, new AlphaTests(renderer), new Clippings(renderer));
         this.#resting = new RestingLights(masks, this.#mostLookedUp, () => this.#resetRenderer());
         return undefined;
       },

@@ -51,7 +51,9 @@ export class MaterialPatches {
   #uniforms;
   #key = `edgeshade ${MathUtils.generateUUID()}`; // programs keep the uniforms they were compiled
                                                   // with
-  #patched = new Map(); // by material: its original functions
+  #patched = new WeakMap(); // by material: its original functions
+  #alive = new Set();       // weak references to these materials
+  #gone = new FinalizationRegistry((reference) => this.#alive.delete(reference));
 
   #mostTextures;
   #most;
@@ -83,6 +85,9 @@ export class MaterialPatches {
     const own = Object.hasOwn(material, 'customProgramCacheKey');
     const uniforms = { ...this.#uniforms, edgeshadeCasts: { value: casts } };
     this.#patched.set(material, { onBeforeCompile, customProgramCacheKey, own, casts: uniforms.edgeshadeCasts });
+    const reference = new WeakRef(material);
+    this.#alive.add(reference);
+    this.#gone.register(material, reference);
     const key = `${this.#key} ${slots}`;
     material.onBeforeCompile = function (shader, renderer) {
       onBeforeCompile.call(this, shader, renderer);
@@ -100,12 +105,16 @@ export class MaterialPatches {
 
   /** Restores all materials. */
   clear() {
-    for (const [material, { onBeforeCompile, customProgramCacheKey, own }] of this.#patched) {
+    for (const reference of this.#alive) {
+      const material = reference.deref();
+      if (!material) continue;
+      const { onBeforeCompile, customProgramCacheKey, own } = this.#patched.get(material);
       material.onBeforeCompile = onBeforeCompile;
       if (own) material.customProgramCacheKey = customProgramCacheKey;
       else delete material.customProgramCacheKey;
       material.needsUpdate = true;
     }
-    this.#patched.clear();
+    this.#patched = new WeakMap();
+    this.#alive.clear();
   }
 }

@@ -1,0 +1,79 @@
+// Shadows of small clipped scenes by rays on the CPU, and comparisons of pictures with them.
+
+import * as three from 'three';
+
+const isBeyond = (point) => (plane) => plane.distanceToPoint(point) < 0;
+
+/** Whether a material's own planes clip a point. */
+function clipsLocally(renderer, { clippingPlanes, clipIntersection }, point) {
+  if (!renderer.localClippingEnabled || !clippingPlanes?.length) return false;
+  return clipIntersection ? clippingPlanes.every(isBeyond(point)) : clippingPlanes.some(isBeyond(point));
+}
+
+/**
+ * By pixel, rows from the top: 0 no surface, 1 in shadow, 2 lit, and the mesh's number times 4 and
+ * face's times 256 besides, so that outlines can be told.
+ */
+function rayPicture(renderer, scene, camera, light) {
+  const { drawingBufferWidth: width, drawingBufferHeight: height } = renderer.getContext();
+  scene.updateMatrixWorld();
+  camera.updateMatrixWorld();
+  const meshes = [];
+  scene.traverse((object) => { if (object.isMesh && object.visible) meshes.push(object); });
+  const ray = new three.Raycaster(), aim = new three.Vector2(), normal = new three.Vector3(), towards = new three.Vector3();
+  const found = new Float64Array(width * height);
+  for (let y = 0; y < height; ++y)
+    for (let x = 0; x < width; ++x) {
+      ray.setFromCamera(aim.set(2 * (x + 0.5) / width - 1, 1 - 2 * (y + 0.5) / height), camera);
+      ray.near = 0;
+      ray.far = Infinity;
+      const eye = ray.ray.direction.clone();
+      const hit = ray.intersectObjects(meshes, false).find(({ point, object: { material } }) =>
+        !renderer.clippingPlanes.some(isBeyond(point)) && !clipsLocally(renderer, material, point));
+      if (!hit) continue;
+      normal.copy(hit.face.normal);
+      if (hit.instanceId !== undefined) {
+        const place = new three.Matrix4();
+        hit.object.getMatrixAt(hit.instanceId, place);
+        normal.transformDirection(place);
+      }
+      normal.transformDirection(hit.object.matrixWorld);
+      if (normal.dot(eye) > 0) normal.negate();
+      towards.copy(light.position);
+      if (light.isPointLight) towards.sub(hit.point);
+      ray.near = 1e-5;
+      ray.far = light.isPointLight ? towards.length() : Infinity;
+      towards.normalize();
+      const faces = normal.dot(towards) > 0;
+      ray.set(hit.point, towards);
+      const lit = faces && !ray.intersectObjects(meshes, false).some(({ point, object: { material } }) =>
+        !(material.clipShadows && clipsLocally(renderer, material, point)));
+      const side = Math.round(normal.x) + 3 * Math.round(normal.y) + 9 * Math.round(normal.z) + 13;
+      found[y * width + x] = (lit ? 2 : 1) + 4 * (1 + meshes.indexOf(hit.object)) + 256 * side + 8192 * (hit.instanceId ?? 0);
+    }
+  return { found, width, height };
+}
+
+/**
+ * Compares red bytes (redOf()) of white surfaces with rays. Returns numbers of pixels: with
+ * surfaces, in shadow, wrong, and wrong with no outline or border of shadow within a pixel.
+ */
+export function comparedWithRays(red, renderer, scene, camera, light) {
+  const { found, width, height } = rayPicture(renderer, scene, camera, light);
+  const told = { surfaces: 0, dark: 0, wrong: 0, beyond: 0 };
+  for (let y = 0; y < height; ++y)
+    for (let x = 0; x < width; ++x) {
+      const here = found[y * width + x];
+      if (here === 0) continue;
+      const lit = here % 4 === 2;
+      told.surfaces += 1;
+      told.dark += lit ? 0 : 1;
+      if ((red[y * width + x] > 127) === lit) continue;
+      told.wrong += 1;
+      let border = false;
+      for (let v = Math.max(0, y - 1); v <= Math.min(height - 1, y + 1); ++v)
+        for (let u = Math.max(0, x - 1); u <= Math.min(width - 1, x + 1); ++u) border ||= found[v * width + u] !== here;
+      told.beyond += border ? 0 : 1;
+    }
+  return told;
+}
