@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace edgeshade {
 namespace {
@@ -55,19 +54,21 @@ MeshClip::Mesh clippedMesh(const PreparedMesh::Data& mesh, const Planes& planes,
                            bool keepsAway) {
     Geometry made = *mesh.geometry;
     const std::vector<CutTriangle> pieces = piecesOf(made, planes, intersection, keepsAway);
-    std::map<std::size_t, std::vector<std::uint32_t>> corners; // by material
+    std::array<std::vector<std::uint32_t>, maskMaterialCount> corners; // by material
     auto group = mesh.geometry->groups.begin();
     for (const CutTriangle& piece : pieces) { // in the order of their triangles
         while (3 * piece.source >= group->firstIndex + group->indexCount)
             ++group;
         if (const auto material =
                 piece.away ? hiddenMaterial(group->material) : std::optional(group->material))
-            corners[*material].insert(corners[*material].end(), piece.corners.begin(),
-                                      piece.corners.end());
+            for (const std::uint32_t corner : piece.corners)
+                corners[*material].push_back(corner);
     }
     made.indices.clear();
     made.groups.clear();
-    for (const auto& [material, of] : corners) {
+    for (std::size_t material = 0; material < corners.size(); ++material) {
+        const std::vector<std::uint32_t>& of = corners[material];
+        if (of.empty()) continue;
         made.groups.push_back({material, static_cast<std::uint32_t>(made.indices.size()),
                                static_cast<std::uint32_t>(of.size())});
         made.indices.insert(made.indices.end(), of.begin(), of.end());

@@ -78,7 +78,7 @@ std::optional<std::size_t> hiddenMaterial(std::size_t material) {
 }
 
 std::vector<Material> maskMaterials() {
-    std::vector<Material> made(16);
+    std::vector<Material> made(maskMaterialCount);
     for (std::size_t i = 0; i < made.size(); ++i) {
         made[i].doubleSided = (i & singleSided) == 0;
         // Like a ground, it casts nothing, even where MASK surfaces cast.

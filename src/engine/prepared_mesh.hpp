@@ -21,6 +21,8 @@ struct PreparedMesh::Data {
     std::size_t material() const { return geometry->groups.front().material; }
 };
 
+inline constexpr std::size_t maskMaterialCount = 16;
+
 /// Materials of meshes: casting or only receiving, double-sided or single-sided, with or without
 /// alpha test; and those that casting ones have where they are invisible.
 std::vector<Material> maskMaterials();

@@ -32,6 +32,10 @@ export interface ExactShadowsOptions {
  * alphaMap's) receives shadow where it is solid, and surfaces seen through its holes have their
  * own; see alphaTestedCast. See-through surfaces (transparent, alphaHash) cast none, whatever
  * castShadow says, and receive only the shadows of lights that are looked up.
+ *
+ * Clipping planes mean what they mean for three.js's maps: renderer.clippingPlanes and, with
+ * renderer.localClippingEnabled, a material's clippingPlanes and clipIntersection clip what is seen;
+ * with clipShadows a material's planes also cut what casts. At most 12 clip a mesh.
  */
 export class ExactShadows {
   /** `renderer`: with WebGL 2. Turn its own shadowMap off. Throws an Error with a sentence. */
