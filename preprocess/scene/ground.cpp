@@ -75,7 +75,9 @@ bool addGround(Scene& scene, const Ground& ground) {
 }
 
 void setGround(Scene& scene, const Ground& ground) {
-    scene.materials.back() = groundMaterial(ground);
+    for (const Batch& batch : scene.batches)
+        if (batch.ground)
+            scene.materials[batch.geometry->groups.front().material] = groundMaterial(ground);
 }
 
 bool hasFloor(const Scene& scene) {

@@ -43,6 +43,45 @@ void addFurther(GpuScene& gpu, const LoadedScene& loaded, const VolumeRecords& r
         gpu.batches[i].volumes.further.push_back({records, made[i]});
 }
 
+GpuScene sceneWith(Textures textures, const LoadedScene& loaded) {
+    return {{},
+            {},
+            {},
+            loaded.scene.materials,
+            std::move(textures),
+            loaded.settings.castMasked,
+            loaded.cutoutsCast};
+}
+
+void uploadBatches(GpuScene& gpu, const LoadedScene& loaded) {
+    const Scene& scene = loaded.scene;
+    const std::vector<std::size_t> first = firstOfGeometry(scene.batches);
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        const Batch& batch = scene.batches[i];
+        GpuBatch& made = gpu.batches.emplace_back();
+        made.worldFromBatch = batch.worldFromBatch;
+        made.animated = batch.isAnimated();
+        made.ground = batch.ground;
+        made.hidden = batch.hidden;
+        keepGeometry(made, batch);
+        made.owns = first[i] == i;
+        made.surfaces = made.owns ? std::make_shared<std::vector<SurfaceChunk>>(
+                                        uploadSurfaces(batch, scene.materials))
+                                  : gpu.batches[first[i]].surfaces;
+    }
+    gpu.plain = true;
+    for (const GpuBatch& batch : gpu.batches)
+        for (const SurfaceChunk& chunk : *batch.surfaces) {
+            const Material& material = gpu.materials[chunk.material];
+            if (!material.isSeen()) continue;
+            const bool blends = material.alphaMode == AlphaMode::blend;
+            gpu.seeThrough = gpu.seeThrough || (blends && !material.unlit);
+            gpu.plain = gpu.plain && (material.unlit || blends || material.isPlain());
+        }
+    for (std::size_t i = 0; i < scene.batches.size(); ++i)
+        if (scene.batches[i].deforms()) gpu.batches[i].parts = surfacePartsOf(scene.batches[i]);
+}
+
 } // namespace
 
 std::size_t GpuScene::groupCount(const FrameLight& light, VolumeLayout layout) const {
@@ -71,40 +110,23 @@ std::size_t GpuScene::shadowBytes() const {
 
 GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> records,
                      const gl::Capabilities& capabilities) {
-    const Scene& scene = loaded.scene;
-    GpuScene gpu{{},
-                 {},
-                 {},
-                 scene.materials,
-                 Textures(loaded, capabilities),
-                 loaded.settings.castMasked,
-                 loaded.cutoutsCast};
-    const std::vector<std::size_t> first = firstOfGeometry(scene.batches);
-    for (std::size_t i = 0; i < first.size(); ++i) {
-        const Batch& batch = scene.batches[i];
-        GpuBatch& made = gpu.batches.emplace_back();
-        made.worldFromBatch = batch.worldFromBatch;
-        made.animated = batch.isAnimated();
-        made.ground = batch.ground;
-        made.hidden = batch.hidden;
-        keepGeometry(made, batch);
-        made.owns = first[i] == i;
-        made.surfaces = made.owns ? std::make_shared<std::vector<SurfaceChunk>>(
-                                        uploadSurfaces(batch, scene.materials))
-                                  : gpu.batches[first[i]].surfaces;
-    }
-    gpu.plain = true;
-    for (const GpuBatch& batch : gpu.batches)
-        for (const SurfaceChunk& chunk : *batch.surfaces) {
-            const Material& material = gpu.materials[chunk.material];
-            if (!material.isSeen()) continue;
-            const bool blends = material.alphaMode == AlphaMode::blend;
-            gpu.seeThrough = gpu.seeThrough || (blends && !material.unlit);
-            gpu.plain = gpu.plain && (material.unlit || blends || material.isPlain());
-        }
-    for (std::size_t i = 0; i < scene.batches.size(); ++i)
-        if (scene.batches[i].deforms()) gpu.batches[i].parts = surfacePartsOf(scene.batches[i]);
+    GpuScene gpu = sceneWith(Textures(loaded, capabilities), loaded);
+    uploadBatches(gpu, loaded);
     if (records) addVolumes(gpu, loaded, *records);
+    return gpu;
+}
+
+GpuScene uploadCut(const LoadedScene& loaded, const std::vector<VolumeRecords>& records,
+                   GpuScene& before) {
+    GpuScene gpu = sceneWith(std::move(before.textures), loaded);
+    try {
+        uploadBatches(gpu, loaded);
+        for (const VolumeRecords& of : records)
+            addVolumes(gpu, loaded, of);
+    } catch (...) {
+        before.textures = std::move(gpu.textures);
+        throw;
+    }
     return gpu;
 }
 

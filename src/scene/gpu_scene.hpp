@@ -70,6 +70,11 @@ struct GpuScene {
 GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> records,
                      const gl::Capabilities& capabilities);
 
+/// Uploads the scene in its present cut, see cutScene(), and takes the textures of its cut before.
+/// Throws as uploadScene(); `before` then is as it was.
+GpuScene uploadCut(const LoadedScene& loaded, const std::vector<VolumeRecords>& records,
+                   GpuScene& before);
+
 /// Uploads a deforming batch in its present shape.
 void uploadShape(GpuScene& gpu, const LoadedScene& loaded, std::size_t batch);
 
