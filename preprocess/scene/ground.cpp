@@ -74,10 +74,14 @@ bool addGround(Scene& scene, const Ground& ground) {
     return true;
 }
 
-void setGround(Scene& scene, const Ground& ground) {
+std::optional<std::size_t> groundMaterialOf(const Scene& scene) {
     for (const Batch& batch : scene.batches)
-        if (batch.ground)
-            scene.materials[batch.geometry->groups.front().material] = groundMaterial(ground);
+        if (batch.ground) return batch.geometry->groups.front().material;
+    return std::nullopt;
+}
+
+void setGround(Scene& scene, const Ground& ground) {
+    scene.materials[*groundMaterialOf(scene)] = groundMaterial(ground);
 }
 
 bool hasFloor(const Scene& scene) {

@@ -18,6 +18,9 @@ struct Ground {
 /// ball's radius to 0 at the rim. Returns false for a scene without vertices, which gets none.
 bool addGround(Scene& scene, const Ground& ground);
 
+/// The material of the scene's ground; empty: it has none.
+std::optional<std::size_t> groundMaterialOf(const Scene& scene);
+
 /// Gives the scene's ground the material of another ground.
 void setGround(Scene& scene, const Ground& ground);
 

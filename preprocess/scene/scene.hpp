@@ -95,7 +95,7 @@ struct Batch {
 
 struct Scene;
 
-/// What a section has cut.
+/// A section, and the scene that it cuts.
 struct CutFrom {
     std::shared_ptr<const Scene> whole; ///< the scene before, with the same batches
     Section section;

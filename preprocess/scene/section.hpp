@@ -7,7 +7,7 @@
 
 namespace edgeshade {
 
-/// What the part that a section cuts away does to light.
+/// Whether the part that a section cuts away casts shadows.
 enum class SectionShadows {
     cut,   ///< it casts nothing: the model is opened
     whole, ///< it casts as built: a house without its roof keeps the light of its rooms

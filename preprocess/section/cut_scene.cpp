@@ -1,8 +1,7 @@
 #include "preprocess/section/cut_scene.hpp"
 
-#include "preprocess/mesh/components.hpp"
-#include "preprocess/mesh/topology.hpp"
 #include "preprocess/section/section_fill.hpp"
+#include "preprocess/section/solid_triangles.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -19,67 +18,23 @@ Box boundsOf(const Geometry& geometry) {
     return box;
 }
 
-/// For each triangle of a geometry, whether it bounds a solid: a closed, opaque component.
-std::vector<std::uint8_t> findSolidTriangles(const Batch& batch,
-                                             const std::vector<Material>& materials) {
-    const Geometry& geometry = *batch.geometry;
-    std::vector<std::uint8_t> solid(geometry.indices.size() / 3, 0);
-    Casters opaque;
-    std::vector<std::uint32_t> numbers; // of the geometry's triangles
-    for (const SurfaceGroup& group : geometry.groups) {
-        if (!materials[group.material].casts(false)) continue;
-        for (std::uint32_t i = group.firstIndex; i < group.firstIndex + group.indexCount; ++i)
-            opaque.indices.push_back(geometry.indices[i]);
-        for (std::uint32_t t = 0; t < group.indexCount / 3; ++t)
-            numbers.push_back(group.firstIndex / 3 + t);
-    }
-    opaque.groups.push_back({0, 0, static_cast<std::uint32_t>(opaque.indices.size())});
-    const WeldedMesh mesh = weld(geometry.positions, opaque.indices);
-    const Components components = findComponents(mesh, buildEdges(mesh));
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-        solid[numbers[mesh.source[t]]] = components.closed[components.ofTriangle[t]];
-    return solid;
-}
-
 } // namespace
 
-/// One cut: the section, and the materials that it adds.
+/// One cut of the scene.
 struct SceneCutter::Cutting {
     const Section& section;
-    Scene& scene;
+    const std::vector<Material>& materials; ///< of the whole scene
     bool castMasked = false;
-    std::map<std::size_t, std::size_t> awayOf = {}; ///< by material
-    std::optional<std::size_t> fill = {};
-    std::map<const Geometry*, CopyOnWrite<Geometry>> wholly = {}; ///< geometries cut away wholly
 
     bool keepsAway() const { return section.shadows == SectionShadows::whole; }
+    std::size_t fillMaterial() const { return materials.size(); }
 
     /// The material of what is cut away; empty if that casts nothing.
-    std::optional<std::size_t> awayMaterial(std::size_t material) {
-        const Material& of = scene.materials[material];
+    std::optional<std::size_t> awayMaterial(std::size_t material) const {
+        const Material& of = materials[material];
         const bool mayCast = of.casts(castMasked) || of.alphaMode == AlphaMode::mask;
-        if (!keepsAway() || !mayCast || of.section == SectionPart::fill) return std::nullopt;
-        const auto [found, isNew] = awayOf.try_emplace(material, scene.materials.size());
-        if (isNew) {
-            Material away = of;
-            away.section = SectionPart::away;
-            if (away.alphaMode == AlphaMode::opaque) away.alphaMode = AlphaMode::blend;
-            scene.materials.push_back(away);
-        }
-        return found->second;
-    }
-
-    std::size_t fillMaterial() {
-        if (!fill) {
-            Material material;
-            material.baseColorFactor = glm::vec4(*section.fill, 1.0f);
-            material.metallic = 0.0f;
-            material.doubleSided = true;
-            if (keepsAway()) material.section = SectionPart::fill;
-            fill = scene.materials.size();
-            scene.materials.push_back(material);
-        }
-        return *fill;
+        if (!keepsAway() || !mayCast) return std::nullopt;
+        return materials.size() + 1 + material;
     }
 };
 
@@ -177,10 +132,26 @@ std::span<const CutTriangle> piecesOf(const std::vector<CutTriangle>& pieces,
 SceneCutter::SceneCutter(Scene whole, bool castMasked)
     : whole_(std::make_shared<const Scene>(std::move(whole))), castMasked_(castMasked) {}
 
-const std::vector<std::uint8_t>& SceneCutter::solidsOf(const Batch& batch) {
-    const auto [found, isNew] = solids_.try_emplace(&*batch.geometry);
-    if (isNew) found->second = findSolidTriangles(batch, whole_->materials);
+SceneCutter::Known& SceneCutter::knownOf(const Geometry& geometry) {
+    const auto [found, isNew] = known_.try_emplace(&geometry);
+    if (isNew) found->second.bounds = boundsOf(geometry);
     return found->second;
+}
+
+void SceneCutter::addMaterials(const Section& section, std::vector<Material>& materials) const {
+    const bool castsWhole = section.shadows == SectionShadows::whole;
+    Material fill;
+    fill.baseColorFactor = glm::vec4(section.fill.value_or(glm::vec3(0.0f)), 1.0f);
+    fill.metallic = 0.0f;
+    fill.doubleSided = true;
+    if (castsWhole) fill.section = SectionPart::fill;
+    materials.push_back(fill);
+    if (!castsWhole) return;
+    for (Material away : whole_->materials) {
+        away.section = SectionPart::away;
+        if (away.alphaMode == AlphaMode::opaque) away.alphaMode = AlphaMode::blend;
+        materials.push_back(away);
+    }
 }
 
 Scene SceneCutter::cut(const Section& section) {
@@ -188,30 +159,38 @@ Scene SceneCutter::cut(const Section& section) {
     if (section.planes.empty()) return scene;
     scene.cutFrom = CutFrom{whole_, section};
     scene.culls = false;
-    Cutting cutting{section, scene, castMasked_};
+    addMaterials(section, scene.materials);
+    const Cutting cutting{section, whole_->materials, castMasked_};
     for (Batch& batch : scene.batches)
         if (!batch.ground && !batch.hidden && !batch.geometry->indices.empty())
             cutBatch(batch, cutting);
     return scene;
 }
 
-void SceneCutter::cutBatch(Batch& batch, Cutting& cutting) {
+void SceneCutter::cutBatch(Batch& batch, const Cutting& cutting) {
     std::vector<glm::dvec4> planes;
     for (const glm::dvec4& plane : cutting.section.planes)
         planes.push_back(planeInBatch(plane, batch.worldFromBatch));
     const CopyOnWrite<Geometry> before = batch.geometry;
     const Geometry& from = *before;
-    const BoxSide side = sideOf(boundsOf(from), planes);
+    Known& known = knownOf(from);
+    const BoxSide side = sideOf(known.bounds, planes);
     if (side == BoxSide::kept) return;
     batch.deformation = nullptr;
-    if (side == BoxSide::away)
-        if (const auto known = cutting.wholly.find(&from); known != cutting.wholly.end()) {
-            batch.geometry = known->second;
+    if (side == BoxSide::away) {
+        if (!cutting.keepsAway()) {
+            batch.geometry = nothing_;
             return;
         }
+        if (known.away) {
+            batch.geometry = *known.away;
+            return;
+        }
+    }
     Geometry made = from;
     made.simplifiedCasters.reset();
-    GeometryCut cut(made, from.indices, solidsOf(batch));
+    if (!known.solid) known.solid = solidTriangles(from, whole_->materials);
+    GeometryCut cut(made, from.indices, *known.solid);
     const auto firstFill = static_cast<std::uint32_t>(from.indices.size() / 3);
     for (const glm::dvec4& plane : planes) {
         const std::vector<CutLine> lines = cut.cut(plane, cutting.keepsAway());
@@ -234,7 +213,7 @@ void SceneCutter::cutBatch(Batch& batch, Cutting& cutting) {
     };
     for (const SurfaceGroup& group : from.groups) {
         // Opaque surfaces come first.
-        if (cutting.scene.materials[group.material].alphaMode != AlphaMode::opaque) writeFill();
+        if (cutting.materials[group.material].alphaMode != AlphaMode::opaque) writeFill();
         writer.begin(group.material);
         for (const CutTriangle& piece : piecesOf(pieces, group))
             if (!piece.away) writer.add(piece.corners, piece.source);
@@ -243,7 +222,7 @@ void SceneCutter::cutBatch(Batch& batch, Cutting& cutting) {
     writeFill();
     for (const bool masked : {true, false})
         for (const SurfaceGroup& group : from.groups) {
-            const AlphaMode mode = cutting.scene.materials[group.material].alphaMode;
+            const AlphaMode mode = cutting.materials[group.material].alphaMode;
             if ((mode == AlphaMode::mask) != masked) continue;
             const std::optional<std::size_t> away = cutting.awayMaterial(group.material);
             if (!away) continue;
@@ -257,7 +236,7 @@ void SceneCutter::cutBatch(Batch& batch, Cutting& cutting) {
                                      ? *from.simplifiedCasters
                                      : cutIndices(*from.simplifiedCasters, planes, made);
     batch.geometry = CopyOnWrite<Geometry>(std::move(made));
-    if (side == BoxSide::away) cutting.wholly.emplace(&from, batch.geometry);
+    if (side == BoxSide::away) known.away = batch.geometry;
 }
 
 } // namespace edgeshade

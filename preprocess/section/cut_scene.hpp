@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace edgeshade {
@@ -15,7 +16,8 @@ class SceneCutter {
     /// `castMasked` as in CasterSettings. `whole` has no section.
     SceneCutter(Scene whole, bool castMasked);
 
-    /// The scene as cut, with the same batches and lights, and with more materials. Batches that
+    /// The scene as cut, with the same batches and lights. After its materials come the fill's and,
+    /// where shadows are whole, one for what is cut away of each. Batches that
     /// no plane crosses share their geometry with the scene before; those that a section changes no
     /// longer deform. The ground isn't cut. Surfaces are visible from both sides.
     ///
@@ -28,12 +30,20 @@ class SceneCutter {
   private:
     struct Cutting;
 
-    const std::vector<std::uint8_t>& solidsOf(const Batch& batch);
-    void cutBatch(Batch& batch, Cutting& cutting);
+    struct Known {
+        Box bounds;
+        std::optional<std::vector<std::uint8_t>> solid; ///< by triangle; found when first cut
+        std::optional<CopyOnWrite<Geometry>> away; ///< all of it cut away, and casting as a whole
+    };
+
+    Known& knownOf(const Geometry& geometry);
+    void addMaterials(const Section& section, std::vector<Material>& materials) const;
+    void cutBatch(Batch& batch, const Cutting& cutting);
 
     std::shared_ptr<const Scene> whole_;
     bool castMasked_;
-    std::map<const Geometry*, std::vector<std::uint8_t>> solids_; ///< by triangle
+    CopyOnWrite<Geometry> nothing_;          ///< of batches that are cut away and cast nothing
+    std::map<const Geometry*, Known> known_; ///< of the whole scene
 };
 
 } // namespace edgeshade

@@ -54,6 +54,62 @@ std::vector<std::vector<std::uint32_t>> loopsOf(const std::vector<CutLine>& line
     return loops;
 }
 
+/// Whether a loop encloses next to nothing.
+bool isThin(const std::vector<std::uint32_t>& loop, const std::vector<glm::vec3>& positions) {
+    constexpr double share = 1e-5; // of the square of its length
+    const glm::dvec3 first(positions[loop.front()]);
+    glm::dvec3 area(0.0);
+    double length = 0.0;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const glm::dvec3 a(positions[loop[i]]), b(positions[loop[(i + 1) % loop.size()]]);
+        area += glm::cross(a - first, b - first);
+        length += glm::length(b - a);
+    }
+    return glm::length(area) <= share * length * length;
+}
+
+/// Adds triangles without area where faces leave the lines' border open: where a tessellator drops
+/// points on a straight line, or adds some where lines cross.
+void closeSlivers(const std::vector<CutLine>& lines, const std::vector<glm::vec3>& positions,
+                  std::vector<std::array<std::uint32_t, 3>>& faces) {
+    // The faces' border runs against the lines. What is left of both is what is open.
+    struct Directed {
+        std::uint32_t from, to;
+        int times;
+    };
+    std::vector<Directed> edges;
+    const auto add = [&](std::uint32_t from, std::uint32_t to) {
+        const bool swaps = orderedBefore(positions[to], positions[from]);
+        edges.push_back(swaps ? Directed{to, from, -1} : Directed{from, to, 1});
+    };
+    for (const CutLine& line : lines)
+        add(line.from, line.to);
+    for (const auto& face : faces)
+        for (std::size_t c = 0; c < 3; ++c)
+            add(face[c], face[(c + 1) % 3]);
+    const auto isBefore = [&](const Directed& a, const Directed& b) {
+        const glm::vec3 &from = positions[a.from], &other = positions[b.from];
+        return from != other ? orderedBefore(from, other)
+                             : orderedBefore(positions[a.to], positions[b.to]);
+    };
+    std::sort(edges.begin(), edges.end(), isBefore);
+    std::vector<CutLine> open;
+    for (std::size_t i = 0; i < edges.size();) {
+        int times = 0;
+        const Directed& first = edges[i];
+        for (; i < edges.size() && !isBefore(first, edges[i]); ++i)
+            times += edges[i].times;
+        for (; times > 0; --times)
+            open.push_back({first.from, first.to});
+        for (; times < 0; ++times)
+            open.push_back({first.to, first.from});
+    }
+    for (const std::vector<std::uint32_t>& loop : loopsOf(open, positions))
+        if (isThin(loop, positions))
+            for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+                faces.push_back({loop[0], loop[i], loop[i + 1]});
+}
+
 /// GLU's tessellator, called back with vertices as pointers to their numbers.
 class Tessellator {
   public:
@@ -135,7 +191,10 @@ class Tessellator {
 std::vector<std::array<std::uint32_t, 3>> fillOf(const std::vector<CutLine>& lines,
                                                  const glm::dvec4& plane, Geometry& geometry) {
     if (lines.empty()) return {};
-    return Tessellator(geometry, plane).trianglesOf(loopsOf(lines, geometry.positions));
+    std::vector<std::array<std::uint32_t, 3>> faces =
+        Tessellator(geometry, plane).trianglesOf(loopsOf(lines, geometry.positions));
+    closeSlivers(lines, geometry.positions, faces);
+    return faces;
 }
 
 } // namespace edgeshade

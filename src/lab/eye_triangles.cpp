@@ -1,10 +1,10 @@
 #include "src/lab/eye_triangles.hpp"
 
+#include "preprocess/section/solid_triangles.hpp"
 #include "src/lab/section_clip.hpp"
 #include "src/shadow/view/visible_depth.hpp"
 
 #include <glm/gtc/matrix_transform.hpp>
-#include <optional>
 
 namespace edgeshade::lab {
 
@@ -16,10 +16,6 @@ bool isSeenFromBehind(const EyeTriangle& triangle, const glm::dvec4& eye, bool m
     return (mirrored ? -side : side) < 0.0;
 }
 
-} // namespace
-
-namespace {
-
 /// Collects a scene's triangles.
 class Collector {
   public:
@@ -28,12 +24,13 @@ class Collector {
           cutoutsCast_(cutoutsCast) {
         const glm::dvec4 eye = frustum.eye();
         eye_ = {glm::dvec3(eye) - position_ * eye.w, eye.w};
-        if (scene.cutFrom) clip_.emplace(scene.cutFrom->section, position_);
         triangles.reserve(scene.triangleCount());
     }
 
-    /// Adds a group of a batch, in whose place `geometry` may be the one before a section.
-    void add(std::uint32_t batch, const Geometry& geometry, const SurfaceGroup& group, bool clips) {
+    /// Adds a group of a batch. `geometry`: the batch's, or the one before a section. `clip`: null:
+    /// none. `solid`: by triangle.
+    void add(std::uint32_t batch, const Geometry& geometry, const SurfaceGroup& group,
+             const SectionClip* clip = nullptr, const std::vector<std::uint8_t>& solid = {}) {
         const Batch& of = scene_.batches[batch];
         const glm::dmat4 eyeFromBatch =
             glm::translate(glm::dmat4(1.0), -position_) * of.worldFromBatch;
@@ -57,8 +54,8 @@ class Collector {
             triangle.visible = material.alphaMode != AlphaMode::blend &&
                                !(scene_.culls && !material.doubleSided &&
                                  isSeenFromBehind(triangle, eye_, of.isMirrored()));
-            if (clips)
-                clip_->add(triangle, triangles);
+            if (clip)
+                clip->add(triangle, solid[i / 3] != 0, triangles);
             else
                 triangles.push_back(triangle);
         }
@@ -67,14 +64,21 @@ class Collector {
     /// Adds the groups of a batch, and the fill of its cuts.
     void add(std::uint32_t batch) {
         const Batch& of = scene_.batches[batch];
-        const Geometry& before = *scene_.whole().batches[batch].geometry;
+        if (!scene_.cutFrom || of.ground || of.hidden) {
+            for (const SurfaceGroup& group : of.geometry->groups)
+                add(batch, *of.geometry, group);
+            return;
+        }
+        const Scene& whole = scene_.whole();
+        const Geometry& before = *whole.batches[batch].geometry;
+        const SectionClip clip(scene_.cutFrom->section, of.worldFromBatch);
+        const std::vector<std::uint8_t> solid = solidTriangles(before, whole.materials);
         for (const SurfaceGroup& group : before.groups)
-            add(batch, before, group, clip_ && !of.ground && !of.hidden);
-        if (!clip_) return;
+            add(batch, before, group, &clip, solid);
         for (const SurfaceGroup& group : of.geometry->groups)
-            if (group.material >= scene_.whole().materials.size() &&
+            if (group.material >= whole.materials.size() &&
                 scene_.materials[group.material].isSeen())
-                add(batch, *of.geometry, group, false);
+                add(batch, *of.geometry, group);
     }
 
     std::vector<EyeTriangle> triangles;
@@ -84,7 +88,6 @@ class Collector {
     glm::dvec3 position_;
     glm::dvec4 eye_; ///< homogeneous, relative to the frustum's position
     bool castMasked_, cutoutsCast_;
-    std::optional<SectionClip> clip_;
 };
 
 } // namespace

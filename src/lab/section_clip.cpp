@@ -1,10 +1,13 @@
 #include "src/lab/section_clip.hpp"
 
+#include <algorithm>
+
 namespace edgeshade::lab {
 namespace {
 
 struct Corner {
-    glm::dvec3 at;
+    glm::dvec3 at; ///< relative to the eye
+    glm::dvec3 inBatch;
     glm::dvec2 place; ///< see EyeTriangle::places
 };
 using Polygon = std::vector<Corner>;
@@ -18,11 +21,12 @@ Polygon above(const glm::dvec4& plane, const Polygon& polygon) {
     Polygon part;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const Corner &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-        const double from = heightOver(plane, a.at), to = heightOver(plane, b.at);
+        const double from = heightOver(plane, a.inBatch), to = heightOver(plane, b.inBatch);
         if (from >= 0.0) part.push_back(a);
         if ((from >= 0.0) == (to >= 0.0)) continue;
         const double share = from / (from - to);
-        part.push_back({a.at + share * (b.at - a.at), a.place + share * (b.place - a.place)});
+        part.push_back({a.at + share * (b.at - a.at), a.inBatch + share * (b.inBatch - a.inBatch),
+                        a.place + share * (b.place - a.place)});
     }
     return part;
 }
@@ -39,31 +43,42 @@ void addFan(const Polygon& polygon, EyeTriangle like, std::vector<EyeTriangle>& 
     }
 }
 
-} // namespace
-
-SectionClip::SectionClip(const Section& section, const glm::dvec3& eye)
-    : castsWhole_(section.shadows == SectionShadows::whole) {
-    for (const glm::dvec4& plane : section.planes)
-        planes_.emplace_back(glm::dvec3(plane), heightOver(plane, eye));
+/// Whether the polygon lies in the plane and its front faces the kept side.
+bool boundsWhatIsBelow(const glm::dvec4& plane, const Polygon& polygon) {
+    for (const Corner& corner : polygon)
+        if (heightOver(plane, corner.inBatch) != 0.0) return false;
+    const glm::dvec3 a = polygon[0].inBatch, b = polygon[1].inBatch, c = polygon[2].inBatch;
+    return glm::dot(glm::dvec3(plane), glm::cross(b - a, c - a)) > 0.0;
 }
 
-void SectionClip::add(const EyeTriangle& triangle, std::vector<EyeTriangle>& to) const {
-    Polygon kept = {{triangle.a, triangle.places[0]},
-                    {triangle.b, triangle.places[1]},
-                    {triangle.c, triangle.places[2]}};
+} // namespace
+
+SectionClip::SectionClip(const Section& section, const glm::dmat4& worldFromBatch)
+    : castsWhole_(section.shadows == SectionShadows::whole) {
+    for (const glm::dvec4& plane : section.planes)
+        planes_.push_back(glm::transpose(worldFromBatch) * plane);
+}
+
+void SectionClip::add(const EyeTriangle& triangle, bool solid, std::vector<EyeTriangle>& to) const {
+    const auto corners = cornersInBatch(triangle);
+    Polygon kept = {{triangle.a, corners[0], triangle.places[0]},
+                    {triangle.b, corners[1], triangle.places[1]},
+                    {triangle.c, corners[2], triangle.places[2]}};
     bool isWhole = true;
     for (const glm::dvec4& plane : planes_) {
-        int below = 0;
-        for (const Corner& corner : kept)
-            below += heightOver(plane, corner.at) < 0.0 ? 1 : 0;
-        if (below == 0) continue;
+        if (kept.size() < 3) return;
+        const auto isBelow = [&](const Corner& corner) {
+            return heightOver(plane, corner.inBatch) < 0.0;
+        };
+        const bool bounds = solid && boundsWhatIsBelow(plane, kept);
+        if (!bounds && std::ranges::none_of(kept, isBelow)) continue;
         isWhole = false;
         if (castsWhole_ && triangle.casts) {
             EyeTriangle away = triangle;
             away.visible = false;
-            addFan(above(-plane, kept), away, to);
+            addFan(bounds ? kept : above(-plane, kept), away, to);
         }
-        kept = above(plane, kept);
+        kept = bounds ? Polygon() : above(plane, kept);
     }
     if (isWhole)
         to.push_back(triangle);

@@ -7,19 +7,19 @@
 
 namespace edgeshade::lab {
 
-/// Clips triangles by a section, in double precision and on its own: nothing is shared with the
-/// code that cuts scenes for drawing.
+/// Clips triangles of a batch by a section, in double precision. Apart from the side that a vertex
+/// is on, nothing is shared with the code that cuts scenes for drawing.
 class SectionClip {
   public:
-    /// `eye`: the origin of the triangles' coordinates, in the world.
-    SectionClip(const Section& section, const glm::dvec3& eye);
+    SectionClip(const Section& section, const glm::dmat4& worldFromBatch);
 
     /// Adds what the section keeps of a triangle, and, if the section casts as a whole, what it
-    /// cuts away, as invisible casters.
-    void add(const EyeTriangle& triangle, std::vector<EyeTriangle>& to) const;
+    /// cuts away, as invisible casters. `solid`: it bounds a solid, and goes with it if it lies in
+    /// a plane.
+    void add(const EyeTriangle& triangle, bool solid, std::vector<EyeTriangle>& to) const;
 
   private:
-    std::vector<glm::dvec4> planes_; ///< relative to the eye
+    std::vector<glm::dvec4> planes_; ///< in the batch's space
     bool castsWhole_;
 };
 

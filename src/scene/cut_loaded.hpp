@@ -7,14 +7,19 @@ namespace edgeshade {
 
 /// A loaded scene as it was before a section cut it.
 struct UncutScene {
-    SceneCutter cutter;
+    Scene scene;
     std::vector<std::shared_ptr<const PlanePairShadow>> planePairs;
     Shadows shadows;
+    SceneCutter cutter; ///< of the scene in blocks, inBlocks()
+    std::vector<std::shared_ptr<const PlanePairShadow>> ofBlocks; ///< records of the blocks
+    /// Geometries of the last cut and their records, for those that the next one leaves.
+    std::vector<std::pair<CopyOnWrite<Geometry>, std::shared_ptr<const PlanePairShadow>>> last = {};
 };
 
 /// Cuts a scene by a section, in place of the one that it may have; a section without planes makes
-/// it whole again. Records are built for the batches that change, and shared by the others. Warns
-/// if nothing of the scene is left.
+/// it whole again. While it is cut it has more batches, so that records are built only for those
+/// that a plane crosses or crossed, and shared by the others. Warns if nothing of the scene is
+/// left.
 void cutScene(LoadedScene& loaded, const Section& section);
 
 } // namespace edgeshade

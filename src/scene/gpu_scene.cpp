@@ -1,6 +1,8 @@
 #include "src/scene/gpu_scene.hpp"
 #include "src/settings/build_parts.hpp"
 
+#include <map>
+
 namespace edgeshade {
 namespace {
 
@@ -19,6 +21,7 @@ std::optional<HoleSource> holeSource(const LoadedScene& loaded, const Batch& bat
 
 void addPlanePairs(GpuScene& gpu, const LoadedScene& loaded, SidesLayout layout) {
     const auto made = byGeometry(loaded.scene.batches, [&](std::size_t i) {
+        if (gpu.batches[i].volumes.planePairs) return gpu.batches[i].volumes.planePairs;
         const Batch& batch = loaded.scene.batches[i];
         const auto& shadow = loaded.planePairs[i];
         const auto source = holeSource(loaded, batch);
@@ -41,45 +44,6 @@ void addFurther(GpuScene& gpu, const LoadedScene& loaded, const VolumeRecords& r
     const auto made = records.source->ofScene(loaded, records.layout);
     for (std::size_t i = 0; i < gpu.batches.size(); ++i)
         gpu.batches[i].volumes.further.push_back({records, made[i]});
-}
-
-GpuScene sceneWith(Textures textures, const LoadedScene& loaded) {
-    return {{},
-            {},
-            {},
-            loaded.scene.materials,
-            std::move(textures),
-            loaded.settings.castMasked,
-            loaded.cutoutsCast};
-}
-
-void uploadBatches(GpuScene& gpu, const LoadedScene& loaded) {
-    const Scene& scene = loaded.scene;
-    const std::vector<std::size_t> first = firstOfGeometry(scene.batches);
-    for (std::size_t i = 0; i < first.size(); ++i) {
-        const Batch& batch = scene.batches[i];
-        GpuBatch& made = gpu.batches.emplace_back();
-        made.worldFromBatch = batch.worldFromBatch;
-        made.animated = batch.isAnimated();
-        made.ground = batch.ground;
-        made.hidden = batch.hidden;
-        keepGeometry(made, batch);
-        made.owns = first[i] == i;
-        made.surfaces = made.owns ? std::make_shared<std::vector<SurfaceChunk>>(
-                                        uploadSurfaces(batch, scene.materials))
-                                  : gpu.batches[first[i]].surfaces;
-    }
-    gpu.plain = true;
-    for (const GpuBatch& batch : gpu.batches)
-        for (const SurfaceChunk& chunk : *batch.surfaces) {
-            const Material& material = gpu.materials[chunk.material];
-            if (!material.isSeen()) continue;
-            const bool blends = material.alphaMode == AlphaMode::blend;
-            gpu.seeThrough = gpu.seeThrough || (blends && !material.unlit);
-            gpu.plain = gpu.plain && (material.unlit || blends || material.isPlain());
-        }
-    for (std::size_t i = 0; i < scene.batches.size(); ++i)
-        if (scene.batches[i].deforms()) gpu.batches[i].parts = surfacePartsOf(scene.batches[i]);
 }
 
 } // namespace
@@ -108,25 +72,77 @@ std::size_t GpuScene::shadowBytes() const {
     return total + groups.sideBytes() + groups.capBytes();
 }
 
-GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> records,
-                     const gl::Capabilities& capabilities) {
-    GpuScene gpu = sceneWith(Textures(loaded, capabilities), loaded);
-    uploadBatches(gpu, loaded);
-    if (records) addVolumes(gpu, loaded, *records);
-    return gpu;
-}
+namespace {
 
-GpuScene uploadCut(const LoadedScene& loaded, const std::vector<VolumeRecords>& records,
-                   GpuScene& before) {
-    GpuScene gpu = sceneWith(std::move(before.textures), loaded);
-    try {
-        uploadBatches(gpu, loaded);
-        for (const VolumeRecords& of : records)
-            addVolumes(gpu, loaded, of);
-    } catch (...) {
-        before.textures = std::move(gpu.textures);
-        throw;
+/// A scene's batches by their records, for the scene under another section.
+class KnownBatches {
+  public:
+    KnownBatches(const GpuScene* scene, const std::optional<VolumeRecords>& records) {
+        if (!scene || !records || records->volumes != VolumeLayout::planePairs) return;
+        for (const GpuBatch& batch : scene->batches) {
+            const auto& volumes = batch.volumes.planePairs;
+            if (volumes && volumes->layout() == records->layout)
+                known_.emplace(volumes->shadow().get(), &batch);
+        }
     }
+
+    const GpuBatch* of(const PlanePairShadow& records) const {
+        const auto found = known_.find(&records);
+        return found != known_.end() ? found->second : nullptr;
+    }
+
+  private:
+    std::map<const PlanePairShadow*, const GpuBatch*> known_;
+};
+
+} // namespace
+
+GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> records,
+                     const gl::Capabilities& capabilities, const GpuScene* before) {
+    const Scene& scene = loaded.scene;
+    const KnownBatches known(before, records);
+    GpuScene gpu{{},
+                 {},
+                 {},
+                 scene.materials,
+                 before ? before->textures : Textures(loaded, capabilities),
+                 loaded.settings.castMasked,
+                 loaded.cutoutsCast};
+    const std::vector<std::size_t> first = firstOfGeometry(scene.batches);
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        const Batch& batch = scene.batches[i];
+        GpuBatch& made = gpu.batches.emplace_back();
+        made.worldFromBatch = batch.worldFromBatch;
+        made.animated = batch.isAnimated();
+        made.ground = batch.ground;
+        made.hidden = batch.hidden;
+        keepGeometry(made, batch);
+        made.owns = first[i] == i;
+        const GpuBatch* const same = known.of(*loaded.planePairs[i]);
+        if (same) {
+            made.surfaces = same->surfaces;
+            made.volumes.planePairs = same->volumes.planePairs;
+            continue;
+        }
+        made.surfaces = made.owns ? std::make_shared<std::vector<SurfaceChunk>>(
+                                        uploadSurfaces(batch, scene.materials))
+                                  : gpu.batches[first[i]].surfaces;
+    }
+    gpu.plain = true;
+    for (const GpuBatch& batch : gpu.batches)
+        for (const SurfaceChunk& chunk : *batch.surfaces) {
+            const Material& material = gpu.materials[chunk.material];
+            if (!material.isSeen()) continue;
+            const bool blends = material.alphaMode == AlphaMode::blend;
+            gpu.seeThrough = gpu.seeThrough || (blends && !material.unlit);
+            gpu.plain = gpu.plain && (material.unlit || blends || material.isPlain());
+        }
+    for (std::size_t i = 0; i < scene.batches.size(); ++i)
+        if (scene.batches[i].deforms()) gpu.batches[i].parts = surfacePartsOf(scene.batches[i]);
+    if (records && records->volumes == VolumeLayout::planePairs)
+        addPlanePairs(gpu, loaded, records->layout);
+    else if (records)
+        addVolumes(gpu, loaded, *records);
     return gpu;
 }
 

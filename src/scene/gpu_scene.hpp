@@ -67,13 +67,11 @@ struct GpuScene {
 
 /// Uploads the surfaces and, if given, the records from which shadow volumes are drawn. Throws
 /// Error(unavailable) if the GL can't.
+///
+/// `before`: the scene under another section, or null. Textures are shared with it, and so is what
+/// belongs to batches whose records it has in the same layout.
 GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> records,
-                     const gl::Capabilities& capabilities);
-
-/// Uploads the scene in its present cut, see cutScene(), and takes the textures of its cut before.
-/// Throws as uploadScene(); `before` then is as it was.
-GpuScene uploadCut(const LoadedScene& loaded, const std::vector<VolumeRecords>& records,
-                   GpuScene& before);
+                     const gl::Capabilities& capabilities, const GpuScene* before = nullptr);
 
 /// Uploads a deforming batch in its present shape.
 void uploadShape(GpuScene& gpu, const LoadedScene& loaded, std::size_t batch);

@@ -5,10 +5,11 @@
 #include "src/scene/load.hpp"
 
 #include <map>
+#include <memory>
 
 namespace edgeshade {
 
-/// The textures of a scene's materials, on the GPU.
+/// The textures of a scene's materials, on the GPU. Copies share them.
 class Textures {
   public:
     /// Uploads the textures that the materials use. Throws InputError, Error(unavailable).
@@ -22,8 +23,8 @@ class Textures {
 
   private:
     using Key = std::pair<int, Sampler>; ///< image and sampler
-    gl::Texture white_;
-    std::map<Key, gl::Texture> textures_;
+    std::shared_ptr<const gl::Texture> white_;
+    std::shared_ptr<std::map<Key, gl::Texture>> textures_;
 };
 
 } // namespace edgeshade

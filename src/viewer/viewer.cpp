@@ -141,7 +141,7 @@ struct Viewer::Parts {
     LoadedScene cutFor(const ViewState& of) const;
     std::optional<GpuScene> uploadedCut(const LoadedScene& cut, const ViewState& of);
     void show(LoadedScene cut, std::optional<GpuScene> uploaded);
-    std::vector<Placed> placeCut(const Pose& pose);
+    void placeCut();
     void adopt(const ViewState& wanted);
     void chooseAnimation(Warnings& warnings);
     void applyPose();
@@ -220,9 +220,9 @@ LoadedScene Viewer::Parts::cutFor(const ViewState& of) const {
 /// Empty while the context is lost.
 std::optional<GpuScene> Viewer::Parts::uploadedCut(const LoadedScene& cut, const ViewState& of) {
     if (!gpu || !gpu->scene) return std::nullopt;
-    std::vector<VolumeRecords> records = recordsFor(of, *gpu);
-    if (records.empty()) records.push_back(gpu->recordsOf(of.left));
-    GpuScene made = uploadCut(cut, records, *gpu->scene);
+    GpuScene made = uploadScene(cut, gpu->recordsOf(of.left), gpu->capabilities, &*gpu->scene);
+    for (const VolumeRecords& records : recordsFor(of, *gpu))
+        addVolumes(made, cut, records);
     made.primitiveMaps.buildWith(settings.mapWorker);
     return made;
 }
@@ -239,14 +239,13 @@ void Viewer::Parts::show(LoadedScene cut, std::optional<GpuScene> uploaded) {
 }
 
 /// Poses the whole of a scene that is cut, and cuts it again.
-std::vector<Placed> Viewer::Parts::placeCut(const Pose& pose) {
+void Viewer::Parts::placeCut() {
     LoadedScene posed = *loaded;
     cutScene(posed, Section());
-    const std::vector<Placed> placed = placeScene(posed, pose);
+    placeScene(posed, poseAt(*animation, posed.scene, state.time));
     cutScene(posed, *state.section);
     std::optional<GpuScene> uploaded = uploadedCut(posed, state);
     show(std::move(posed), std::move(uploaded));
-    return placed;
 }
 
 /// Prepares everything that the next state needs before switching to it, so that a refusal changes
@@ -304,22 +303,23 @@ void Viewer::Parts::chooseAnimation(Warnings& warnings) {
 void Viewer::Parts::applyPose() {
     if (!loaded) return;
     Stopwatch watch;
+    const bool isCut = loaded->uncut != nullptr; // it is uploaded anew, as placed
     std::vector<Placed> placed;
     for (const Batch& batch : loaded->scene.batches)
         placed.push_back({!batch.hidden, false});
     if (animation) {
-        const Pose pose = poseAt(*animation, loaded->scene.whole(), state.time);
-        const bool isCut = loaded->uncut != nullptr;
-        std::vector<Placed> moved = isCut ? placeCut(pose) : placeScene(*loaded, pose);
-        if (isCut) // they were uploaded in their new shapes
-            for (Placed& of : moved)
-                of.reshaped = false;
-        std::copy(moved.begin(), moved.end(), placed.begin());
+        if (isCut) {
+            placeCut();
+        } else {
+            const Pose pose = poseAt(*animation, loaded->scene, state.time);
+            const std::vector<Placed> moved = placeScene(*loaded, pose);
+            std::copy(moved.begin(), moved.end(), placed.begin());
+        }
         std::vector<Light> lights = lightsOf(loaded->scene);
         followLights(state.lights, stage.lights, lights);
         stage.lights = std::move(lights);
     }
-    if (gpu && gpu->scene) {
+    if (gpu && gpu->scene && !isCut) {
         const std::vector<Batch>& batches = loaded->scene.batches;
         for (std::size_t i = 0; i < batches.size(); ++i) {
             gpu->scene->batches[i].worldFromBatch = batches[i].worldFromBatch;
@@ -337,7 +337,8 @@ void Viewer::Parts::applyGround() {
     const bool shown = state.ground.has_value();
     if (shown) {
         setGround(loaded->scene, *state.ground);
-        if (gpu && gpu->scene) gpu->scene->materials = loaded->scene.materials;
+        const std::size_t material = *groundMaterialOf(loaded->scene);
+        if (gpu && gpu->scene) gpu->scene->materials[material] = loaded->scene.materials[material];
     }
     if (shown == loaded->showsGround) return;
     loaded->showsGround = shown;

@@ -357,6 +357,21 @@ const BadUsage usages[] = {
      {"tradeoff", "IN", "--against", "speed=high"},
      {"--against", "speed"}},
     badRender("AmbientNaN", {"--ambient", "nan"}),
+    badRender("SectionWithoutADirection", {"--section", "0,0,0,1"}),
+    badRender("SectionOfThreeNumbers", {"--section", "0,1,0"}),
+    badRender("SectionNaN", {"--section", "0,nan,0,1"}),
+    badRender("SectionBoxInsideOut", {"--section-box", "1,0,0,0,1,1"}),
+    badRender("SectionBoxOfFiveNumbers", {"--section-box", "0,0,0,1,1"}),
+    badRender("SectionFillOfNoColour", {"--section-fill", "red"}),
+    badRender("SectionShadowsOfNoKind", {"--section-shadows", "half"}),
+    {"SectionOfSevenPlanes",
+     {"render", "IN", "OUT", "--section", "1,0,0,1", "--section", "1,0,0,1", "--section", "1,0,0,1",
+      "--section", "1,0,0,1", "--section", "1,0,0,1", "--section", "1,0,0,1", "--section",
+      "1,0,0,1"},
+     {"--section", "1,0,0,1"}},
+    {"SectionShadowsWithoutASection",
+     {"render", "IN", "OUT", "--section-shadows", "whole"},
+     {"--section-shadows", "--section-box"}},
 };
 
 class BadUsageTest : public testing::TestWithParam<BadUsage> {};

@@ -37,6 +37,7 @@ struct Fixture {
                 static_cast<std::uint8_t>(255 * i / (texels - 1));
         loaded.images.emplace(0, std::make_shared<const Image>(std::move(image)));
         triangle.material = static_cast<std::uint32_t>(batch.geometry->groups.back().material);
+        triangle.geometry = &*batch.geometry;
     }
 
     /// Alpha at a texture coordinate along the row, 0 to 4.

@@ -36,11 +36,15 @@ void SceneTree::update(const Scene& scene) {
     std::vector<std::uint8_t> doubleSided;
     for (const Material& material : scene.materials)
         doubleSided.push_back(material.doubleSided);
-    if (doubleSided != doubleSided_) batches_.clear();
+    // Materials that a section adds are of batches that it changes.
+    const std::size_t known = std::min(doubleSided.size(), doubleSided_.size());
+    if (!std::equal(doubleSided.begin(), doubleSided.begin() + static_cast<std::ptrdiff_t>(known),
+                    doubleSided_.begin()))
+        batches_.clear();
     doubleSided_ = std::move(doubleSided);
-    std::map<const Geometry*, CopyOnWrite<TriangleTree>> known;
+    std::map<const Geometry*, CopyOnWrite<TriangleTree>> trees;
     for (const OfBatch& of : batches_)
-        if (of.geometry) known.emplace(&**of.geometry, of.triangles);
+        if (of.geometry) trees.emplace(&**of.geometry, of.triangles);
     bool same = batches_.size() == scene.batches.size();
     std::vector<OfBatch> before = std::exchange(batches_, {});
     before.resize(scene.batches.size());
@@ -58,15 +62,15 @@ void SceneTree::update(const Scene& scene) {
         }
         same = false;
         of = {};
-        const auto found = batch.deforms() ? known.end() : known.find(&*batch.geometry);
-        of.triangles = found != known.end()
+        const auto found = batch.deforms() ? trees.end() : trees.find(&*batch.geometry);
+        of.triangles = found != trees.end()
                            ? found->second
                            : CopyOnWrite(TriangleTree(*batch.geometry, scene.materials));
         of.deformation = batch.deformation;
         of.shape = batch.shape;
         if (batch.deforms()) continue;
         of.geometry = batch.geometry;
-        known.emplace(&*batch.geometry, of.triangles);
+        trees.emplace(&*batch.geometry, of.triangles);
     }
     if (!same) orderPlaces(scene);
     placeAll(scene);

@@ -1,0 +1,154 @@
+#include "preprocess/section/component_blocks.hpp"
+
+#include "preprocess/base/morton.hpp"
+#include "preprocess/mesh/components.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace edgeshade {
+namespace {
+
+/// Triangles at which a block is full; a component is never divided.
+constexpr std::size_t blockTriangles = 1024;
+
+/// The block of each triangle, and their number.
+struct Blocks {
+    std::vector<std::uint32_t> ofTriangle;
+    std::uint32_t count = 0;
+};
+
+Blocks blocksOf(const Geometry& geometry) {
+    const WeldedMesh mesh = weld(geometry.positions, geometry.indices);
+    const Components components = findComponents(mesh, buildEdges(mesh));
+    Box all;
+    std::vector<Box> boxes(components.count());
+    std::vector<std::size_t> sizes(components.count(), 0);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const std::uint32_t component = components.ofTriangle[t];
+        ++sizes[component];
+        for (const std::uint32_t corner : mesh.triangles[t]) {
+            boxes[component].add(glm::dvec3(mesh.positions[corner]));
+            all.add(glm::dvec3(mesh.positions[corner]));
+        }
+    }
+    std::vector<std::uint32_t> order(components.count());
+    std::iota(order.begin(), order.end(), 0u);
+    std::vector<std::uint64_t> codes;
+    for (const Box& box : boxes)
+        codes.push_back(mortonCode(box.center(), all));
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return codes[a] < codes[b]; });
+
+    std::vector<std::uint32_t> blockOf(components.count());
+    std::uint32_t block = 0;
+    std::size_t filled = 0;
+    for (const std::uint32_t component : order) {
+        if (filled > 0 && filled + sizes[component] > blockTriangles) {
+            ++block;
+            filled = 0;
+        }
+        blockOf[component] = block;
+        filled += sizes[component];
+    }
+    // Triangles without area are in no component.
+    Blocks blocks{std::vector<std::uint32_t>(geometry.indices.size() / 3, block), block + 1};
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        blocks.ofTriangle[mesh.source[t]] = blockOf[components.ofTriangle[t]];
+    return blocks;
+}
+
+template <class Value>
+void addSome(const std::vector<Value>& from, std::uint32_t vertex, std::vector<Value>& to) {
+    if (!from.empty()) to.push_back(from[vertex]);
+}
+
+/// Collects the triangles of a block, with the vertices that they use.
+class BlockWriter {
+  public:
+    explicit BlockWriter(const Geometry& from)
+        : from_(from), vertexOf_(from.positions.size(), none) {}
+
+    Geometry write(const std::vector<std::uint32_t>& triangles) {
+        Geometry to;
+        std::vector<std::uint32_t> used;
+        auto group = from_.groups.begin();
+        for (const std::uint32_t triangle : triangles) {
+            while (3 * triangle >= group->firstIndex + group->indexCount)
+                ++group;
+            if (to.groups.empty() || to.groups.back().material != group->material)
+                to.groups.push_back(
+                    {group->material, static_cast<std::uint32_t>(to.indices.size()), 0});
+            if (!from_.sources.empty()) addSource(nodeOf(from_, -1, 3 * triangle), to);
+            for (std::size_t c = 0; c < 3; ++c)
+                to.indices.push_back(vertex(from_.indices[3 * triangle + c], to, used));
+            to.groups.back().indexCount += 3;
+        }
+        for (const std::uint32_t of : used)
+            vertexOf_[of] = none;
+        return to;
+    }
+
+  private:
+    static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+    static void addSource(int node, Geometry& to) {
+        if (to.sources.empty() || to.sources.back().node != node)
+            to.sources.push_back({static_cast<std::uint32_t>(to.indices.size()), node});
+    }
+
+    std::uint32_t vertex(std::uint32_t of, Geometry& to, std::vector<std::uint32_t>& used) {
+        if (vertexOf_[of] != none) return vertexOf_[of];
+        vertexOf_[of] = static_cast<std::uint32_t>(to.positions.size());
+        used.push_back(of);
+        addSome(from_.positions, of, to.positions);
+        addSome(from_.normals, of, to.normals);
+        addSome(from_.texcoords, of, to.texcoords);
+        addSome(from_.colors, of, to.colors);
+        for (std::size_t i = 0; i < from_.moreTexcoords.size(); ++i)
+            addSome(from_.moreTexcoords[i], of, to.moreTexcoords[i]);
+        addSome(from_.tangents, of, to.tangents);
+        return vertexOf_[of];
+    }
+
+    const Geometry& from_;
+    std::vector<std::uint32_t> vertexOf_; ///< in the block, by vertex of the geometry
+};
+
+} // namespace
+
+Scene inBlocks(const Scene& scene) {
+    Scene made = scene;
+    made.batches.clear();
+    const std::vector<std::size_t> first = firstOfGeometry(scene.batches);
+    std::vector<std::size_t> uses(first.size(), 0);
+    for (const std::size_t of : first)
+        ++uses[of];
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        const Batch& batch = scene.batches[i];
+        const Geometry& geometry = *batch.geometry;
+        if (uses[first[i]] > 1 || batch.ground || batch.deforms() || geometry.simplifiedCasters ||
+            geometry.indices.size() / 3 < 2 * blockTriangles) {
+            made.batches.push_back(batch);
+            continue;
+        }
+        const Blocks blocks = blocksOf(geometry);
+        if (blocks.count == 1) {
+            made.batches.push_back(batch);
+            continue;
+        }
+        std::vector<std::vector<std::uint32_t>> trianglesOf(blocks.count);
+        for (std::uint32_t t = 0; t < blocks.ofTriangle.size(); ++t)
+            trianglesOf[blocks.ofTriangle[t]].push_back(t);
+        BlockWriter writer(geometry);
+        for (const std::vector<std::uint32_t>& triangles : trianglesOf) {
+            if (triangles.empty()) continue;
+            Batch& block = made.batches.emplace_back(batch);
+            block.geometry = CopyOnWrite<Geometry>(writer.write(triangles));
+        }
+    }
+    return made;
+}
+
+} // namespace edgeshade
