@@ -244,6 +244,7 @@ void Viewer::Parts::placeCut() {
     cutScene(posed, Section());
     placeScene(posed, poseAt(*animation, posed.scene, state.time));
     cutScene(posed, *state.section);
+    if (posed.ground && state.ground) setGround(posed.scene, *state.ground);
     std::optional<GpuScene> uploaded = uploadedCut(posed, state);
     show(std::move(posed), std::move(uploaded));
 }

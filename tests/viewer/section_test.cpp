@@ -46,15 +46,11 @@ class SectionInViewer : public testing::Test {
     /// The same view of a scene that is cut first, in a viewer of its own.
     Pixels cutFirst(LoadedScene scene) const {
         const ViewState& state = viewer.state();
-        if (!scene.ground) addGround(scene, Ground{});
-        scene.showsGround = state.ground.has_value();
         cutScene(scene, *state.section);
         RenderSettings settings;
         settings.shading = state.shading;
         settings.ambient = state.ambient;
-        FrameRequest request{state.camera, state.lights, width, height};
-        request.ground = state.ground.has_value();
-        return test::drawScene(scene, request, settings);
+        return test::drawScene(scene.scene, {state.camera, state.lights, width, height}, settings);
     }
 
     std::unique_ptr<gl::HeadlessContext> context =

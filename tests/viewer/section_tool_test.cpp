@@ -1,5 +1,6 @@
 // The section tool: where handles are, how pointers move planes, and its commands.
 
+#include "src/scene/section_text.hpp"
 #include "src/viewer/commands.hpp"
 #include "src/viewer/interaction.hpp"
 #include "src/viewer/section_drawing.hpp"
