@@ -26,10 +26,13 @@ const middleOf = (page) => page.evaluate(() => {
 
 /** Shows a plane whose handle is in the middle of the picture. Returns that place. */
 async function aim(page) {
-  await page.evaluate(() => document.querySelector('edgeshade-viewer').run('sectionX'));
-  const state = await stateOf(page);
-  const x = -state.section.planes[0][3] / state.section.planes[0][0];
-  const [, y, z] = state.camera.to;
+  const middle = [];
+  for (const [axis, command] of ['sectionX', 'sectionY', 'sectionZ', 'sectionX'].entries()) {
+    await page.evaluate((one) => document.querySelector('edgeshade-viewer').run(one), command);
+    const [plane] = (await stateOf(page)).section.planes;
+    middle[axis % 3] = -plane[3] / plane[axis % 3];
+  }
+  const [x, y, z] = middle;
   await change(page, { lights: [[0.3, 1, 0.4, 0]], camera: { from: [x, y, z + 9], to: [x, y, z], fov: 40 } });
   return middleOf(page);
 }
@@ -88,7 +91,7 @@ test('keys and panel cut, flip, fill and make whole', async () => {
   const cut = (await stateOf(page)).section;
   assert.equal(kindOfSection(cut), 'y');
   await page.click('#section-flip');
-  assert.deepEqual((await stateOf(page)).section.planes[0], cut.planes[0].map((value) => -value));
+  assert.deepEqual((await stateOf(page)).section.planes[0], cut.planes[0].map((value) => 0 - value));
   await page.check('#section-whole');
   await page.uncheck('#section-filled');
   await settled(page);
