@@ -1,4 +1,4 @@
-# Draco, meshoptimizer and ERFA from source, without fused multiply-adds: so the floats that they
+# Draco, meshoptimizer and ERFA, for pages GLU's tessellator too, from source, without fused multiply-adds: so the floats that they
 # decode and compute are the same on every processor, and packed files too (docs/platforms.md).
 include(FetchContent)
 add_compile_options(-ffp-contract=off)
@@ -7,7 +7,7 @@ set(CMAKE_UNITY_BUILD OFF)
 
 # Debian's source packages if cmake/sources.sh has fetched them, else the same versions from
 # upstream.
-foreach(library draco meshoptimizer erfa)
+foreach(library draco meshoptimizer erfa glu)
   string(TOUPPER ${library} upper)
   if(EXISTS ${PROJECT_SOURCE_DIR}/build/sources/${library})
     set(FETCHCONTENT_SOURCE_DIR_${upper} ${PROJECT_SOURCE_DIR}/build/sources/${library})
@@ -18,6 +18,7 @@ FetchContent_Declare(draco GIT_REPOSITORY https://github.com/google/draco GIT_TA
 FetchContent_Declare(meshoptimizer GIT_REPOSITORY https://github.com/zeux/meshoptimizer
   GIT_TAG v0.18)
 FetchContent_Declare(erfa GIT_REPOSITORY https://github.com/liberfa/erfa GIT_TAG v2.0.0)
+FetchContent_Declare(glu GIT_REPOSITORY https://gitlab.freedesktop.org/mesa/glu.git GIT_TAG glu-9.0.2)
 
 FetchContent_GetProperties(draco)
 if(NOT draco_POPULATED)
@@ -68,5 +69,18 @@ if(NOT erfa_POPULATED)
     target_compile_options(erfa_part PRIVATE -Oz) # a page's size counts more than speed here
   endif()
   add_library(erfa::erfa ALIAS erfa_part)
+endif()
+
+# Native builds link the system's libGLU.a.
+FetchContent_GetProperties(glu)
+if(EMSCRIPTEN AND NOT glu_POPULATED)
+  FetchContent_Populate(glu)
+  set(parts dict geom memalloc mesh normal priorityq render sweep tess tessmono)
+  list(TRANSFORM parts PREPEND ${glu_SOURCE_DIR}/src/libtess/)
+  list(TRANSFORM parts APPEND .c)
+  add_library(glu_tessellator STATIC EXCLUDE_FROM_ALL ${parts})
+  target_include_directories(glu_tessellator SYSTEM PUBLIC ${glu_SOURCE_DIR}/include
+    PRIVATE ${glu_SOURCE_DIR}/src/include)
+  target_compile_options(glu_tessellator PRIVATE -Oz -w)
 endif()
 set(CMAKE_UNITY_BUILD ${own_unity_build})

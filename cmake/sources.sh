@@ -16,13 +16,13 @@ source_lists() {
     return 0
 }
 
-# fetch_sources FOLDER: fetches FOLDER/draco, FOLDER/meshoptimizer and FOLDER/erfa, unless they
-# exist.
+# fetch_sources FOLDER: fetches FOLDER/draco, FOLDER/meshoptimizer, FOLDER/erfa and FOLDER/glu, unless
+# they exist.
 fetch_sources() {
     local folder=$1 package lists
     mkdir -p "$folder"
     lists=$(cd "$folder" && pwd)/lists
-    for package in draco meshoptimizer erfa; do
+    for package in draco meshoptimizer erfa glu; do
         [[ -e $folder/$package/.complete ]] && continue
         command -v apt-get >/dev/null || return 0 # CMake fetches them from upstream
         say "Fetching the source of $package"
@@ -32,7 +32,12 @@ fetch_sources() {
         compgen -G "$lists/state/*Sources*" >/dev/null || apt-get "${options[@]}" update
         rm -rf "${folder:?}/$package" "$folder/fetching"
         mkdir "$folder/fetching"
-        (cd "$folder/fetching" && apt-get "${options[@]}" source "$package" >/dev/null 2>&1)
+        if [[ $package == glu ]]; then # Debian's patches of libglu don't touch the tessellator
+            (cd "$folder/fetching" && apt-get "${options[@]}" source --tar-only libglu >/dev/null 2>&1 &&
+                tar -xzf libglu_*.orig.tar.gz)
+        else
+            (cd "$folder/fetching" && apt-get "${options[@]}" source "$package" >/dev/null 2>&1)
+        fi
         mv "$folder/fetching/$package"-*/ "$folder/$package"
         rm -rf "$folder/fetching"
         touch "$folder/$package/.complete"

@@ -50,6 +50,14 @@ constexpr std::pair<std::string_view, Command> commands[] = {
     {"later", Command::later},
     {"dayEarlier", Command::dayEarlier},
     {"dayLater", Command::dayLater},
+    {"sectionX", Command::sectionX},
+    {"sectionY", Command::sectionY},
+    {"sectionZ", Command::sectionZ},
+    {"sectionFree", Command::sectionFree},
+    {"sectionBox", Command::sectionBox},
+    {"sectionFlip", Command::sectionFlip},
+    {"sectionShadows", Command::sectionShadows},
+    {"sectionOff", Command::sectionOff},
 };
 
 } // namespace

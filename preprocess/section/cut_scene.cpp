@@ -120,7 +120,8 @@ std::span<const CutTriangle> piecesOf(const std::vector<CutTriangle>& pieces, st
             pieces.begin(), pieces.end(), source,
             [](const CutTriangle& piece, std::uint32_t of) { return piece.source < of; });
     };
-    return {from(first), from(end)};
+    return std::span(pieces).subspan(static_cast<std::size_t>(from(first) - pieces.begin()),
+                                     static_cast<std::size_t>(from(end) - from(first)));
 }
 std::span<const CutTriangle> piecesOf(const std::vector<CutTriangle>& pieces,
                                       const SurfaceGroup& group) {

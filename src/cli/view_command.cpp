@@ -91,6 +91,8 @@ Json stateFrom(const WindowOptions& options, const Scene& scene,
         typed["sun_hours_step"] = options.sunHoursStep;
     }
     if (options.ground) typed["ground"] = textOf(*options.ground);
+    if (const Section section = options.section.section(); !section.planes.empty())
+        typed["section"] = sectionJson(section);
     if (options.time) typed["time"] = *options.time;
     if (animation) typed["animation"] = *animation;
     return typed;

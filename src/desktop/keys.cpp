@@ -58,6 +58,22 @@ std::optional<Command> commandForCharacter(unsigned character) {
         return Command::dayEarlier;
     case '8':
         return Command::dayLater;
+    case '1':
+        return Command::sectionX;
+    case '2':
+        return Command::sectionY;
+    case '3':
+        return Command::sectionZ;
+    case '4':
+        return Command::sectionFree;
+    case '5':
+        return Command::sectionBox;
+    case '6':
+        return Command::sectionFlip;
+    case 'o':
+        return Command::sectionShadows;
+    case 'z':
+        return Command::sectionOff;
     default:
         return std::nullopt;
     }
@@ -107,6 +123,8 @@ std::string helpText() {
            "J\tplay the sun's day (--place)\n"
            "Y\tshow the hours of sun of that day\n"
            "9 0 / 7 8\tten minutes / a day earlier, later\n"
+           "1 2 3 / 4 / 5\tcut open along X, Y, Z / facing you / a box\n"
+           "6 / O / Z\tflip the cut / what is cut away casts or not / whole\n"
            "K\tnext variant of the materials\n"
            "C\tnext of the file's cameras\n"
            "I\tstatistics\n"

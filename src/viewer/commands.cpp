@@ -1,6 +1,7 @@
 #include "src/viewer/commands.hpp"
 
 #include "src/viewer/interaction.hpp"
+#include "src/viewer/section_tool.hpp"
 
 #include <algorithm>
 
@@ -150,6 +151,40 @@ bool runOnSun(Command command, ViewState& state) {
     }
 }
 
+/// Commands about the section. Returns false for any other command.
+bool runOnSection(Command command, ViewState& state, const Stage& stage) {
+    std::optional<Section>& section = state.section;
+    const auto along = [&](glm::length_t axis) {
+        section = sectionAlong(axis, section, stage.bounds, state.camera.from);
+        return true;
+    };
+    switch (command) {
+    case Command::sectionX:
+        return along(0);
+    case Command::sectionY:
+        return along(1);
+    case Command::sectionZ:
+        return along(2);
+    case Command::sectionFree:
+        section = sectionFacing(section, stage.bounds, stage.viewOf(state.camera).forward());
+        return true;
+    case Command::sectionBox:
+        section = sectionBoxOf(section, stage.bounds);
+        return true;
+    case Command::sectionFlip:
+        section = sectionFlipped(section);
+        return true;
+    case Command::sectionShadows:
+        section = sectionWithOtherShadows(section);
+        return true;
+    case Command::sectionOff:
+        section.reset();
+        return true;
+    default:
+        return false;
+    }
+}
+
 /// Commands about the camera. Returns false for any other command.
 bool runOnCamera(Command command, ViewState& state, const Stage& stage) {
     Camera& camera = state.camera;
@@ -209,7 +244,7 @@ ViewState framed(const ViewState& state, const Stage& stage) {
 ViewState after(Command command, const ViewState& before, const Stage& stage) {
     ViewState state = before;
     if (runOnLights(command, state, stage) || runOnCamera(command, state, stage) ||
-        runOnSun(command, state))
+        runOnSun(command, state) || runOnSection(command, state, stage))
         return state;
     ShadowMethod& shadows = state.split ? state.right.shadows : state.left.shadows;
     switch (command) {

@@ -56,6 +56,14 @@ enum class Command {
     later,
     dayEarlier,
     dayLater,
+    sectionX, ///< cut open along an axis through the middle, or whole again; as the next four
+    sectionY,
+    sectionZ,
+    sectionFree,    ///< a plane that faces the eye
+    sectionBox,     ///< six planes around the middle
+    sectionFlip,    ///< keep the other side of a single plane
+    sectionShadows, ///< what is cut away casts, or not
+    sectionOff,
 };
 
 } // namespace edgeshade::viewer

@@ -37,6 +37,14 @@ double panDepth(const PictureView& view, const glm::dvec3& held) {
     return depth > 0.0 ? depth : view.depthOf(view.camera.to);
 }
 
+/// The section's plane whose handle is at the pixel.
+std::optional<std::size_t> planeAt(const glm::dvec2& pixel, const ViewState& state,
+                                   const Stage& stage) {
+    if (!state.section || !state.showLights) return std::nullopt;
+    return sectionPlaneAt(sectionHandles(*state.section, stage.bounds), pixel,
+                          stage.viewOf(state.camera), stage.pixelRatio);
+}
+
 } // namespace
 
 Camera zoomedTowards(const Camera& camera, const glm::dvec2& pixel, double factor,
@@ -48,6 +56,7 @@ ViewState Interaction::down(const Pointer& pointer, const ViewState& state, cons
     gestures_.down(pointer);
     const glm::dvec2 pixel = placeOf(pointer);
     light_.reset();
+    section_.reset();
     ViewState next = state;
     if (gestures_.count() > 1) {
         drag_ = Drag::none;
@@ -67,6 +76,10 @@ ViewState Interaction::down(const Pointer& pointer, const ViewState& state, cons
         next.chosenLight = *grabbed;
         light_.emplace(handles, next.lights[*grabbed], view, pixel);
         drag_ = Drag::light;
+    } else if (const auto plane = planeAt(pixel, state, stage);
+               plane && primary && !pointer.shift) {
+        section_.emplace(*plane, *state.section, stage.bounds, view, pixel);
+        drag_ = Drag::section;
     } else if (primary && state.split &&
                std::abs(pixel.x - state.splitAt * stage.width) <= splitReach * stage.pixelRatio) {
         drag_ = Drag::split;
@@ -110,6 +123,10 @@ ViewState Interaction::moved(const Motion& motion, const ViewState& state, const
             next.lights[state.chosenLight] =
                 light_->movedTo(motion.to, state.lights[state.chosenLight], view);
         break;
+    case Drag::section:
+        if (section_ && state.section)
+            next.section = section_->movedTo(motion.to, *state.section, view);
+        break;
     case Drag::split:
         next.splitAt = std::clamp(motion.to.x / stage.width, 0.0, 1.0);
         break;
@@ -122,6 +139,7 @@ ViewState Interaction::moved(const Motion& motion, const ViewState& state, const
 void Interaction::up(const Pointer& pointer) {
     gestures_.up(pointer);
     light_.reset();
+    section_.reset();
     // The remaining finger continues as if it had come down alone.
     drag_ = gestures_.count() == 1 ? Drag::orbit : Drag::none;
 }

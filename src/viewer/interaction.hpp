@@ -1,6 +1,7 @@
 #pragma once
 
 #include "src/viewer/gestures.hpp"
+#include "src/viewer/section_tool.hpp"
 #include "src/viewer/stage.hpp"
 #include "src/viewer/view_state.hpp"
 
@@ -12,8 +13,8 @@ inline constexpr double grabReach = 16.0;
 inline constexpr double splitReach = 6.0;
 
 /// Changes a view's state by pointers and the wheel. The primary button orbits; the secondary or
-/// middle button, or shift, pans; control moves the chosen light. A light's handle or the split's
-/// line is dragged wherever it is grabbed. Two fingers pinch and pan.
+/// middle button, or shift, pans; control moves the chosen light. A light's handle, a section's
+/// plane or the split's line is dragged wherever it is grabbed. Two fingers pinch and pan.
 class Interaction {
   public:
     // Each returns the resulting state.
@@ -26,13 +27,14 @@ class Interaction {
                     const Stage& stage) const;
 
   private:
-    enum class Drag { none, orbit, pan, light, split };
+    enum class Drag { none, orbit, pan, light, section, split };
 
     ViewState moved(const Motion& motion, const ViewState& state, const Stage& stage);
 
     Gestures gestures_;
     Drag drag_ = Drag::none;
     std::optional<LightDrag> light_;
+    std::optional<SectionDrag> section_;
     glm::dvec3 held_{0.0}; ///< the surface point where a pan or a pinch began
 };
 

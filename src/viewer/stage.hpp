@@ -9,7 +9,7 @@ namespace edgeshade::viewer {
 
 /// Facts about the scene and the picture that interaction needs.
 struct Stage {
-    Box bounds; ///< the scene's, in the world
+    Box bounds; ///< the scene's, in the world; of the whole of it where it is cut
     int width = 1;
     int height = 1;
     double pixelRatio = 1.0;

@@ -2,6 +2,7 @@
 
 #include "src/settings/settings.hpp"
 #include "src/viewer/light_state.hpp"
+#include "src/viewer/section_state.hpp"
 
 #include <algorithm>
 #include <type_traits>
@@ -47,6 +48,7 @@ void forEachMember(State& state, Use use) {
         use(settings::exposure, state.exposure);
         use(Setting{"background", Own{}}, state.background);
         use(Setting{"ground", Own{}}, state.ground);
+        use(Setting{"section", Own{}}, state.section);
         use(Setting{"cast_cutouts", Own{}}, state.castCutouts);
         use(settings::cull, state.culls);
         use(Setting{"left", Own{}}, state.left);
@@ -120,6 +122,9 @@ void read(const Field& field, Own, GroundChoice& choice) {
     const auto ground = groundFromText(field.word());
     if (!ground) field.fail("off, catcher or a colour #rrggbb");
     choice = *ground;
+}
+void read(const Field& field, Own, std::optional<Section>& section) {
+    section = sectionFrom(field);
 }
 void read(const Field& field, Own, SideSettings& side) {
     readMembers(field, side);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "preprocess/scene/animation.hpp"
+#include "preprocess/scene/section.hpp"
 #include "src/render/frame/frame.hpp"
 #include "src/scene/ground_text.hpp"
 #include "src/scene/load.hpp"
@@ -39,6 +40,7 @@ struct ViewState {
     float exposure = 0.0f;                              ///< EV, see settings::exposure
     glm::vec3 background = RenderSettings().background; ///< behind the scene, sRGB 0..1
     GroundChoice ground;                                ///< beneath the scene
+    std::optional<Section> section;                     ///< cuts the scene open; not without planes
     bool castCutouts = false;                           ///< LoadedScene::cutoutsCast
     bool culls = cullsByDefault; ///< copied to Scene, unless a side is drawn from opposite-vertex
                                  ///< records
@@ -58,7 +60,7 @@ struct ViewState {
 /// {"shadows": "auto", …}, …}: each member by a key that forEachMember() in view_state.cpp lists,
 /// with the values that src/settings/settings.hpp has for it. "sun" is null or {"place": [latitude,
 /// longitude], "time": "2026-06-21T14:30+02:00", "north": deg}, "ground" off, catcher or #rrggbb;
-/// light_state.hpp describes a light.
+/// section_state.hpp describes a section, light_state.hpp describes a light.
 nlohmann::ordered_json toJson(const ViewState& state);
 
 /// The state's "camera".

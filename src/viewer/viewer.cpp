@@ -16,6 +16,7 @@
 #include "src/viewer/overlay_pass.hpp"
 #include "src/viewer/pick.hpp"
 #include "src/viewer/renderers.hpp"
+#include "src/viewer/section_drawing.hpp"
 #include "src/viewer/silhouettes.hpp"
 #include "src/viewer/smoothing.hpp"
 #include "src/viewer/stage_watch.hpp"
@@ -26,6 +27,7 @@
 #include "preprocess/base/stopwatch.hpp"
 #include "preprocess/reading/animation_reading.hpp"
 #include "src/render/frame/prepare_scene.hpp"
+#include "src/scene/cut_loaded.hpp"
 #include "src/scene/pose.hpp"
 #include "src/scene/shadow_facts.hpp"
 #include "src/settings/build_parts.hpp"
@@ -134,7 +136,12 @@ struct Viewer::Parts {
 
     std::unique_ptr<Gpu> makeGpu(const gl::Capabilities& capabilities) const;
     GpuScene uploaded(const LoadedScene& scene, const Gpu& on) const;
+    std::vector<VolumeRecords> recordsFor(const ViewState& of, const Gpu& on) const;
     void addVolumesFor(const ViewState& of, Gpu& on) const;
+    LoadedScene cutFor(const ViewState& of) const;
+    std::optional<GpuScene> uploadedCut(const LoadedScene& cut, const ViewState& of);
+    void show(LoadedScene cut, std::optional<GpuScene> uploaded);
+    void placeCut();
     void adopt(const ViewState& wanted);
     void chooseAnimation(Warnings& warnings);
     void applyPose();
@@ -185,13 +192,61 @@ GpuScene Viewer::Parts::uploaded(const LoadedScene& scene, const Gpu& on) const 
     return made;
 }
 
-/// Uploads the layouts of shadow data that the state draws from, if they are missing.
-void Viewer::Parts::addVolumesFor(const ViewState& of, Gpu& on) const {
-    if (!loaded || !on.scene) return;
+/// The layouts of shadow data that the state draws from.
+std::vector<VolumeRecords> Viewer::Parts::recordsFor(const ViewState& of, const Gpu& on) const {
+    std::vector<VolumeRecords> records;
     for (const SideSettings* side : {&of.left, &of.right})
         if (mayCount(*side) && (side == &of.left || of.split))
-            addVolumes(*on.scene, *loaded, on.recordsOf(*side));
-    if (of.sunHours) addVolumes(*on.scene, *loaded, on.recordsOf(hoursSide));
+            records.push_back(on.recordsOf(*side));
+    if (of.sunHours) records.push_back(on.recordsOf(hoursSide));
+    return records;
+}
+
+/// Uploads those that are missing.
+void Viewer::Parts::addVolumesFor(const ViewState& of, Gpu& on) const {
+    if (!loaded || !on.scene) return;
+    for (const VolumeRecords& records : recordsFor(of, on))
+        addVolumes(*on.scene, *loaded, records);
+}
+
+/// The loaded scene in the state's section, and with its ground.
+LoadedScene Viewer::Parts::cutFor(const ViewState& of) const {
+    LoadedScene cut = *loaded;
+    cutScene(cut, of.section.value_or(Section()));
+    if (cut.ground && of.ground) setGround(cut.scene, *of.ground);
+    return cut;
+}
+
+/// Empty while the context is lost.
+std::optional<GpuScene> Viewer::Parts::uploadedCut(const LoadedScene& cut, const ViewState& of) {
+    if (!gpu || !gpu->scene) return std::nullopt;
+    GpuScene made = uploadScene(cut, gpu->recordsOf(of.left), gpu->capabilities, &*gpu->scene);
+    for (const VolumeRecords& records : recordsFor(of, *gpu))
+        addVolumes(made, cut, records);
+    made.primitiveMaps.buildWith(settings.mapWorker);
+    return made;
+}
+
+/// Replaces the loaded scene by another cut of it. Maps wait until lights rest in that.
+void Viewer::Parts::show(LoadedScene cut, std::optional<GpuScene> uploaded) {
+    loaded = std::move(cut);
+    if (uploaded) {
+        gpu->scene->primitiveMaps.clear();
+        gpu->scene = std::move(uploaded);
+    }
+    rest.clear();
+    unchecked = true;
+}
+
+/// Poses the whole of a scene that is cut, and cuts it again.
+void Viewer::Parts::placeCut() {
+    LoadedScene posed = *loaded;
+    cutScene(posed, Section());
+    placeScene(posed, poseAt(*animation, posed.scene, state.time));
+    cutScene(posed, *state.section);
+    if (posed.ground && state.ground) setGround(posed.scene, *state.ground);
+    std::optional<GpuScene> uploaded = uploadedCut(posed, state);
+    show(std::move(posed), std::move(uploaded));
 }
 
 /// Prepares everything that the next state needs before switching to it, so that a refusal changes
@@ -211,6 +266,12 @@ void Viewer::Parts::adopt(const ViewState& wanted) {
         gpu->renderers.dropUnusedTargets(next);
         addVolumesFor(next, *gpu);
     }
+    std::optional<LoadedScene> cut;
+    std::optional<GpuScene> uploaded;
+    if (loaded && next.section != state.section) {
+        cut = cutFor(next);
+        uploaded = uploadedCut(*cut, next);
+    }
     const bool rechosen = next.animation != state.animation;
     const bool posed = rechosen || next.time != state.time;
     const bool grounded = next.ground != state.ground;
@@ -219,6 +280,10 @@ void Viewer::Parts::adopt(const ViewState& wanted) {
     const bool fromStart = rechosen && next.time == state.time;
     state = next;
     if (fromStart) state.time = 0.0;
+    if (cut) {
+        show(std::move(*cut), std::move(uploaded));
+        sceneMoved();
+    }
     Warnings known; // already reported when the scene was loaded
     if (rechosen) chooseAnimation(known);
     if (grounded) applyGround();
@@ -239,18 +304,23 @@ void Viewer::Parts::chooseAnimation(Warnings& warnings) {
 void Viewer::Parts::applyPose() {
     if (!loaded) return;
     Stopwatch watch;
+    const bool isCut = loaded->uncut != nullptr; // it is uploaded anew, as placed
     std::vector<Placed> placed;
     for (const Batch& batch : loaded->scene.batches)
         placed.push_back({!batch.hidden, false});
     if (animation) {
-        const Pose pose = poseAt(*animation, loaded->scene, state.time);
-        const std::vector<Placed> moved = placeScene(*loaded, pose);
-        std::copy(moved.begin(), moved.end(), placed.begin());
+        if (isCut) {
+            placeCut();
+        } else {
+            const Pose pose = poseAt(*animation, loaded->scene, state.time);
+            const std::vector<Placed> moved = placeScene(*loaded, pose);
+            std::copy(moved.begin(), moved.end(), placed.begin());
+        }
         std::vector<Light> lights = lightsOf(loaded->scene);
         followLights(state.lights, stage.lights, lights);
         stage.lights = std::move(lights);
     }
-    if (gpu && gpu->scene) {
+    if (gpu && gpu->scene && !isCut) {
         const std::vector<Batch>& batches = loaded->scene.batches;
         for (std::size_t i = 0; i < batches.size(); ++i) {
             gpu->scene->batches[i].worldFromBatch = batches[i].worldFromBatch;
@@ -287,10 +357,10 @@ void Viewer::Parts::applyCutouts() {
 }
 
 /// Opposite-vertex records don't distinguish front from back: a side that draws from them shows all
-/// surfaces from both sides.
+/// surfaces from both sides. So do cut scenes, whose insides are in view.
 void Viewer::Parts::applyCulling() {
     if (!loaded) return;
-    loaded->scene.culls = state.culls && takesPlanePairs(state);
+    loaded->scene.culls = state.culls && takesPlanePairs(state) && !loaded->uncut;
 }
 
 /// Drops everything computed for the batches' old places.
@@ -496,6 +566,8 @@ void Viewer::Parts::draw() {
         drawSides(view, gpu->convergence, stageClock);
     else
         gpu->smoothing.show();
+    if (state.showLights && state.section)
+        gpu->overlay.draw(sectionTriangles(state, stage), stage.width, stage.height);
     if (state.showLights && state.sun)
         gpu->overlay.draw(sunTriangles(sunDays.of(*state.sun), state, stage), stage.width,
                           stage.height);
@@ -544,6 +616,7 @@ void Viewer::show(LoadedScene scene) {
         if (parts.animation) break;
     }
     if (!parts.animation) parts.state.animation = 0;
+    parts.state.section.reset();
     parts.state.time = 0.0;
     parts.state.playing = false;
     parts.state.ground = ground;

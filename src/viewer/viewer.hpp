@@ -68,7 +68,8 @@ class Viewer {
     Viewer(const Viewer&) = delete;
     Viewer& operator=(const Viewer&) = delete;
 
-    /// Shows a scene and frames it. Throws Error; the previous scene then stays.
+    /// Shows a scene whole and frames it; `scene` isn't cut. Throws Error; the previous scene then
+    /// stays.
     void show(LoadedScene scene);
     bool hasScene() const;
 

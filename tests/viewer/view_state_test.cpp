@@ -27,6 +27,7 @@ ViewState someState() {
     state.exposure = -1.5f;
     state.background = {0.1f, 0.2f, 0.3f};
     state.ground = Ground{GroundMaterial::surface, glm::vec3(1.0f, 0.0f, 1.0f)};
+    state.section = Section{{{1, 0, 0, -0.25}, {0.1, -2, 3, 1e7}}, SectionShadows::whole, {}};
     state.castCutouts = true;
     state.culls = !cullsByDefault;
     state.left = {ShadowMethod::map, MultiplicityMethod::threeEdge, 1, {.size = 512}};
@@ -92,7 +93,7 @@ TEST(LightState, NamesSayWhatAnArrayCanNot) {
 
 TEST(ViewState, EveryKeySurvivesARoundTrip) {
     const Json json = toJson(someState());
-    EXPECT_EQ(json.size(), 26u);
+    EXPECT_EQ(json.size(), 27u);
     EXPECT_EQ(toJson(changed(ViewState(), Json::parse(json.dump()))), json);
     EXPECT_NE(toJson(ViewState()), json);
 }
@@ -169,6 +170,45 @@ TEST(ViewState, AnotherKindOfValueIsRefused) {
     expectRefused(R"({"lights": [{"position": [0, 0, 0], "direction": [0, 1, 0]}]})", "lights[0]",
                   "direction");
     expectRefused(R"({"time": null})", "time", "null");
+}
+
+TEST(ViewState, ASectionHasDefaultsAndAllMeanings) {
+    const auto read = [](const std::string& section) {
+        return toJson(changed(ViewState(), Json{{"section", Json::parse(section)}}))["section"];
+    };
+    EXPECT_EQ(read("null"), Json(nullptr));
+    EXPECT_EQ(toJson(ViewState())["section"], Json(nullptr));
+    const Json made = read(R"({"planes": [[0, 1, 0, -2]]})");
+    EXPECT_EQ(made["planes"], Json::parse("[[0.0, 1.0, 0.0, -2.0]]"));
+    EXPECT_EQ(made["shadows"], "cut");
+    EXPECT_EQ(made["fill"], "#cc5540");
+    const std::string all =
+        R"({"planes":[[1.0,0.5,-3.0,1e+30]],"shadows":"whole","fill":"#0102ff"})";
+    EXPECT_EQ(read(all), Json::parse(all));
+    EXPECT_EQ(read(R"({"planes": [[1, 0, 0, 0]], "fill": "none"})")["fill"], "none");
+    EXPECT_FALSE(changed(someState(), Json{{"section", nullptr}}).section);
+}
+
+TEST(ViewState, SectionsThatAreNoneAreRefused) {
+    expectRefused(R"({"section": 1})", "section", "1");
+    expectRefused(R"({"section": {}})", "section", "{}");
+    expectRefused(R"({"section": {"shadows": "cut"}})", "section", "planes");
+    expectRefused(R"({"section": {"planes": []}})", "section.planes", "[]");
+    expectRefused(R"({"section": {"planes": [[0, 0, 0, 1]]}})", "section.planes[0]", "[0,0,0,1]");
+    expectRefused(R"({"section": {"planes": [[0, 0, 1]]}})", "section.planes[0]", "[0,0,1]");
+    expectRefused(R"({"section": {"planes": [[0, 0, 1, "x"]]}})", "section.planes[0][3]", "x");
+    expectRefused(R"({"section": {"planes": [[1,0,0,0]], "shadows": "soft"}})", "section.shadows",
+                  "soft");
+    expectRefused(R"({"section": {"planes": [[1,0,0,0]], "fill": "red"}})", "section.fill", "red");
+    expectRefused(R"({"section": {"planes": [[1,0,0,0]], "colour": "red"}})", "section.colour",
+                  "red");
+    Json planes = Json::array();
+    for (int i = 0; i < 12; ++i)
+        planes.push_back({1, 0, 0, i});
+    EXPECT_EQ(changed(ViewState(), {{"section", {{"planes", planes}}}}).section->planes.size(),
+              12u);
+    planes.push_back({1, 0, 0, 12});
+    EXPECT_THROW(changed(ViewState(), {{"section", {{"planes", planes}}}}), Error);
 }
 
 TEST(ViewState, WhatIsNotFiniteIsRefused) {

@@ -8,7 +8,8 @@ const sideKeys = {
 const whole = new Set(['map-size', 'mask-scale']);
 
 /** Attributes that depend on each other: when one changes, all of its group are read. */
-const together = [['light', 'sun', 'light-radius', 'sun-angle'], ['place', 'time-of-day', 'north']];
+const together = [['light', 'sun', 'light-radius', 'sun-angle'], ['place', 'time-of-day', 'north'],
+  ['section', 'section-shadows', 'section-fill']];
 
 /** These attributes and the others of their groups. */
 export const withOthers = (names) =>
@@ -16,7 +17,7 @@ export const withOthers = (names) =>
 
 /** Attributes that describe how a scene is shown, each with an example. */
 export const viewAttributes = [
-  'camera', 'light', 'sun', 'light-radius', 'sun-angle', 'light-samples', 'smooth', 'place', 'time-of-day', 'north', 'day-playing', 'sun-hours', 'shading', 'ambient', 'exposure', 'ground', 'cast-cutouts', 'cull', 'shadows', 'map-size', 'mask-scale', 'split', 'split-shadows', 'split-map-size', 'split-mask-scale', 'split-at', 'debug', 'lights', 'animation', 'playing',
+  'camera', 'light', 'sun', 'light-radius', 'sun-angle', 'light-samples', 'smooth', 'place', 'time-of-day', 'north', 'day-playing', 'sun-hours', 'shading', 'ambient', 'exposure', 'ground', 'section', 'section-shadows', 'section-fill', 'cast-cutouts', 'cull', 'shadows', 'map-size', 'mask-scale', 'split', 'split-shadows', 'split-map-size', 'split-mask-scale', 'split-at', 'debug', 'lights', 'animation', 'playing',
   'speed', 'time',
 ];
 
@@ -60,6 +61,16 @@ function lightsOf(light, sun) {
     (text ?? '').split(';').filter((part) => part.trim())
       .map((part) => lightOf(part, w, name, counts));
   return [...all(sun, 0, 'sun', [3]), ...all(light, 1, 'light', [3, 4])];
+}
+
+/** "nx,ny,nz,d; …"; empty or off: no section. */
+function sectionOf(text, shadows, fill) {
+  if (['', 'off'].includes(text.trim())) return null;
+  const parts = text.split(';').filter((part) => part.trim());
+  return {
+    planes: parts.map((part) => numbers(part, [4], 'section')),
+    ...(shadows !== null && { shadows }), ...(fill !== null && { fill }),
+  };
 }
 
 /** A sun by place and time. */
@@ -109,6 +120,8 @@ export function changesFromAttributes(get) {
   if (has('ambient')) changes.ambient = number('ambient');
   if (has('exposure')) changes.exposure = number('exposure');
   if (has('ground')) changes.ground = get('ground');
+  if (has('section'))
+    changes.section = sectionOf(get('section'), get('section-shadows') ?? null, get('section-fill') ?? null);
   if (has('cast-cutouts')) changes.cast_cutouts = get('cast-cutouts') !== 'off';
   if (has('cull')) changes.cull = get('cull');
   if (has('split')) changes.split = get('split') !== 'off';

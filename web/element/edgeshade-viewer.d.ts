@@ -105,6 +105,19 @@ export interface SunNow {
   set: string | null;
 }
 
+/** Planes that cut the scene open. */
+export interface Section {
+  /**
+   * [nx, ny, nz, d], 1 to 12 of them: keeps the points with nx*x + ny*y + nz*z + d >= 0 of each,
+   * in the scene's units.
+   */
+  planes: [number, number, number, number][];
+  /** cut (the default): what is cut away casts nothing; whole: it casts as built. */
+  shadows?: 'cut' | 'whole';
+  /** Colour #rrggbb of cut faces of solids (#cc5540), or none: they stay open. */
+  fill?: string;
+}
+
 export interface ViewState {
   camera: { from: Vector; to: Vector; fov: number };
   lights: Light[];
@@ -134,6 +147,8 @@ export interface ViewState {
   background: Vector;
   /** A plane beneath the scene: off, catcher (it shows only shadow) or a colour #rrggbb. */
   ground: string;
+  /** Cuts the scene open; null: it is whole. */
+  section: Section | null;
   /** MASK surfaces cast the shadow of what their alpha leaves, wherever shadow is looked up. */
   cast_cutouts: boolean;
   /** auto: materials that aren't double-sided are only seen from their front. */
@@ -209,7 +224,9 @@ export type Command =
   | 'nextLight' | 'addLight' | 'removeLight' | 'toggleSun'
   | 'nextShadows' | 'toggleSplit' | 'splitLeft' | 'splitRight'
   | 'toggleDebug' | 'toggleGround' | 'toggleLights' | 'nextAnimation' | 'togglePlaying' | 'slower'
-  | 'faster' | 'toggleDay' | 'toggleHours' | 'earlier' | 'later' | 'dayEarlier' | 'dayLater';
+  | 'faster' | 'toggleDay' | 'toggleHours' | 'earlier' | 'later' | 'dayEarlier' | 'dayLater'
+  | 'sectionX' | 'sectionY' | 'sectionZ' | 'sectionFree' | 'sectionBox' | 'sectionFlip'
+  | 'sectionShadows' | 'sectionOff';
 
 export interface LoadDetail {
   name: string;
@@ -274,6 +291,10 @@ export interface EdgeshadeViewerEventMap {
  *   exposure    for full shading, in EV, -20..20
  *   ground      beneath the scene, seen from above: off, catcher (only shadow; the default if the
  *               scene has no floor) or a colour #rrggbb
+ *   section     "nx,ny,nz,d", planes separated by ";", 1 to 12: cuts the scene open and keeps the
+ *               points with nx*x + ny*y + nz*z + d >= 0 of each; off
+ *   section-shadows  cut (the default): what is cut away casts nothing; whole: it casts as built
+ *   section-fill  colour #rrggbb of cut faces of solids (#cc5540), or none
  *   cast-cutouts  on: MASK surfaces (leaves) cast the shadow of what their alpha leaves, wherever
  *               shadow is looked up: of resting lights, and in shadow maps
  *   cull        auto (the default): materials that aren't double-sided are only seen from their

@@ -3,6 +3,7 @@
 import { aimed, isSun, kindOf, placeOf } from '../element/lights.js';
 import { check, choose, slider } from './inputs.js';
 import { anglesOf, directionOf } from './sun.js';
+import { connectSection } from './section.js';
 import { connectSoftness } from './softness.js';
 import { connectSun } from './sun-controls.js';
 
@@ -88,6 +89,7 @@ export function connectControls(viewer) {
   };
   const refreshSun = connectSun(viewer);
   const refreshSoftness = connectSoftness(viewer);
+  const refreshSection = connectSection(viewer);
   const sides = {};
   for (const side of ['left', 'right'])
     sides[side] = {
@@ -128,6 +130,7 @@ export function connectControls(viewer) {
     }
     refreshSun(state);
     refreshSoftness(state);
+    refreshSection(state);
     $('light-remove').disabled = state.lights.length < 2;
     show.ambient(state.ambient);
     show.exposure(state.exposure);

@@ -3,6 +3,7 @@
 
 const short = (value) => String(Number(Number(value).toPrecision(7)));
 const list = (values) => values.map(short).join(',');
+const exactList = (values) => values.map(String).join(','); // planes stay where they are
 const inShort = (key, value) => (typeof value === 'number' ? Number(short(value)) : value);
 const lightText = (light) => (Array.isArray(light) ? list(light) : JSON.stringify(light, inShort));
 
@@ -29,6 +30,11 @@ export function hashOf(model, state) {
   put('ambient', short(state.ambient));
   if (state.exposure) put('exposure', short(state.exposure));
   put('ground', state.ground);
+  if (state.section) {
+    put('section', state.section.planes.map(exactList).join(';'));
+    if (state.section.shadows !== 'cut') put('section-shadows', state.section.shadows);
+    put('section-fill', state.section.fill);
+  }
   if (state.cast_cutouts) put('cast-cutouts', 'on');
   if (state.cull === 'off') put('cull', state.cull);
   put('shadows', state.left.shadows);
@@ -126,6 +132,11 @@ export function readHash(hash) {
   take('cast-cutouts', (text) => { changes.cast_cutouts = text !== 'off'; });
   take('cull', (text) => { changes.cull = text; });
   take('ground', (text) => { changes.ground = text; });
+  take('section', (text) => {
+    changes.section = { planes: text.split(';').map((plane) => numbers(plane, 'section', 4)) };
+    if (words.has('section-shadows')) changes.section.shadows = words.get('section-shadows');
+    if (words.has('section-fill')) changes.section.fill = words.get('section-fill');
+  });
   take('shadows', () => { changes.left = sideOf(words, '', 'shadows'); });
   take('right', () => { changes.right = sideOf(words, 'right-', 'right'); });
   take('split', (text) => {

@@ -69,9 +69,9 @@ test('npm packs every entry with its types, workers and WebAssembly', { skip }, 
   const entries = Object.values(description.exports).flatMap((entry) => (typeof entry === 'string' ? entry : Object.values(entry)));
   for (const wanted of [...entries.map((path) => path.replace('./', '')), 'dist/element/scene-worker.js', 'dist/element/map-worker.js',
     'dist/masks/mesh-worker.js', 'dist/wasm/edgeshade.mjs', 'dist/wasm/edgeshade.wasm', 'dist/wasm/edgeshade-masks.mjs',
-    'dist/wasm/edgeshade-masks.wasm', 'README.md', 'LICENSE', 'LICENSE.erfa'])
+    'dist/wasm/edgeshade-masks.wasm', 'README.md', 'LICENSE', 'LICENSE.erfa', 'LICENSE.glu'])
     assert.ok(packed.paths.includes(wanted), `${wanted} is in it`);
-  for (const path of packed.paths) assert.match(path, /^(package\.json|README\.md|LICENSE(\.erfa)?|dist\/(element|masks|three|wasm)\/[^/]+)$/);
+  for (const path of packed.paths) assert.match(path, /^(package\.json|README\.md|LICENSE(\.(erfa|glu))?|dist\/(element|masks|three|wasm)\/[^/]+)$/);
 });
 
 test('every module has a map that holds its source', { skip }, () => {

@@ -40,4 +40,4 @@ for (const folder of ['element', 'masks', 'three', 'wasm']) {
   for (const name of readdirSync(`${built}/${folder}`))
     await Object.entries(ways).find(([end]) => name.endsWith(end))?.[1](`${folder}/${name}`);
 }
-for (const licence of ['LICENSE', 'LICENSE.erfa']) cpSync(`${built}/${licence}`, here + licence);
+for (const licence of ['LICENSE', 'LICENSE.erfa', 'LICENSE.glu']) cpSync(`${built}/${licence}`, here + licence);

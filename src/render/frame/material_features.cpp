@@ -65,14 +65,14 @@ void addDefines(const MaterialFeatures& features, std::vector<std::string>& defi
     if (features.ambient) defines.push_back("AMBIENT");
     if (features.glossy) defines.push_back("GLOSSY");
     if (features.clearcoat) defines.push_back("CLEARCOAT");
-    int bits = 0;
+    int mapBits = 0;
     std::string sets;
     for (std::size_t slot = 0; slot < textureSlots; ++slot) {
         const int channel = features.channels[slot];
-        if (channel >= 0) bits |= 1 << slot;
+        if (channel >= 0) mapBits |= 1 << slot;
         sets += (slot == 0 ? "" : ", ") + std::to_string(std::max(channel, 0));
     }
-    defines.push_back("MAPS " + std::to_string(bits));
+    defines.push_back("MAPS " + std::to_string(mapBits));
     defines.push_back("MAP_SETS " + sets);
     if (features.tangents) defines.push_back("TANGENTS");
 }
