@@ -62,7 +62,7 @@ struct MaskClipping {
     std::span<const std::array<double, 4>> planes;
     /// Clips only what all planes clip away; otherwise what any of them does.
     bool intersection = false;
-    /// What is clipped away is invisible, and still casts; otherwise it casts nothing.
+    /// The part that is clipped away is invisible, and still casts; otherwise it casts nothing.
     bool casts = false;
 };
 

@@ -64,7 +64,10 @@ std::shared_ptr<const PreparedMesh::Data> preparedFrom(Geometry geometry, bool t
     shadow->solids =
         solid ? findSolids(*shadow) : std::vector<std::uint8_t>(shadow->clusters.size(), 0);
     std::vector<glm::vec4> corners;
-    if (testsAlpha && !casters.indices.empty())
+    const bool mayHaveHoles =
+        std::any_of(shadow->clusters.begin(), shadow->clusters.end(),
+                    [](const ShadowCluster& cluster) { return cluster.alphaTested; });
+    if (mayHaveHoles)
         corners = alphaCorners(batch, casters, weldForRecords(batch, casters), *shadow);
     return std::make_shared<const PreparedMesh::Data>(
         PreparedMesh::Data{batch.geometry, std::move(shadow), testsAlpha, std::move(corners)});

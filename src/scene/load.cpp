@@ -97,9 +97,11 @@ namespace {
 glm::vec4 alphaCornerAt(const Batch& batch, const Casters& casters, const CasterMesh& mesh,
                         std::size_t triangle, std::size_t corner) {
     const std::uint32_t vertex = casters.indices[3 * mesh.welded.source[triangle] + corner];
-    // Rounded like the surfaces' colours.
-    const float alpha = std::round(batch.geometry->colors[vertex].a * 255.0f) / 255.0f;
-    return {batch.geometry->texcoords[vertex], alpha, 0.0f};
+    const Geometry& geometry = *batch.geometry;
+    // Rounded like the surfaces' colours. A host's mesh that tests no alpha has neither.
+    const float alpha =
+        geometry.colors.empty() ? 1.0f : std::round(geometry.colors[vertex].a * 255.0f) / 255.0f;
+    return {geometry.texcoords.empty() ? glm::vec2(0.0f) : geometry.texcoords[vertex], alpha, 0.0f};
 }
 
 } // namespace

@@ -304,7 +304,7 @@ void Viewer::Parts::chooseAnimation(Warnings& warnings) {
 void Viewer::Parts::applyPose() {
     if (!loaded) return;
     Stopwatch watch;
-    const bool isCut = loaded->uncut != nullptr; // it is uploaded anew, as placed
+    const bool isCut = loaded->uncut != nullptr; // it is uploaded again, as placed
     std::vector<Placed> placed;
     for (const Batch& batch : loaded->scene.batches)
         placed.push_back({!batch.hidden, false});

@@ -19,7 +19,7 @@ test('the version is that of the program', () => {
   assert.equal(description.version, /project\(edgeshade VERSION ([\d.]+)/.exec(cmake)[1]);
 });
 
-test('WebAssembly and JavaScript together weigh at most 800 KB, compressed', () => {
+test('WebAssembly and JavaScript together weigh at most 820 KB, compressed', () => {
   const parts = {};
   const add = (part, path) => {
     parts[part] = (parts[part] ?? 0) + gzipSync(readFileSync(path), { level: 9 }).length;
@@ -31,7 +31,7 @@ test('WebAssembly and JavaScript together weigh at most 800 KB, compressed', () 
       if (file.endsWith('.js')) add(folder, join(site, folder, file));
   console.log(parts);
   const total = Object.values(parts).reduce((sum, part) => sum + part, 0);
-  assert.ok(total <= 800e3, `${total} bytes`);
+  assert.ok(total <= 820e3, `${total} bytes`);
 });
 
 /** The files that npm packs; `text(path)` and `weight(path, …)` read them. */
@@ -55,13 +55,13 @@ test('the package is at most 1.35 MB, 3.6 MB unpacked', { skip }, () => {
   assert.ok(size <= 1.35e6 && unpackedSize <= 3.6e6);
 });
 
-test('three.js\' adapter weighs at most 445 KB, the element 780 KB, without a bundler, compressed', { skip }, () => {
+test('three.js\' adapter weighs at most 445 KB, the element 790 KB, without a bundler, compressed', { skip }, () => {
   const modules = (...folders) => packed.paths.filter((path) => path.endsWith('.js') && folders.some((folder) => path.startsWith(`dist/${folder}/`)));
   const wasm = (name) => [`dist/wasm/${name}.wasm`, `dist/wasm/${name}.mjs`];
   const adapter = packed.weight(...wasm('edgeshade-masks'), 'dist/element/webassembly.js', ...modules('masks', 'three'));
   const element = packed.weight(...wasm('edgeshade'), ...modules('element'));
   console.log(`adapter ${adapter} bytes, element ${element}`);
-  assert.ok(adapter <= 445e3 && element <= 780e3);
+  assert.ok(adapter <= 445e3 && element <= 790e3);
 });
 
 test('npm packs every entry with its types, workers and WebAssembly', { skip }, () => {

@@ -125,7 +125,7 @@ test('a plane that is dragged is followed in every frame', async () => {
       lookedUp.push(shadows.cost.lookedUp);
     }
     lookedUp.push(await rested(shadows, scene, camera));
-    // Planes that only clip what is seen leave the light looked up.
+    // Planes that only clip visible surfaces leave the light looked up.
     material.clipShadows = false;
     plane.constant = 1.2;
     await rested(shadows, scene, camera);

@@ -1,6 +1,6 @@
 // Clipping planes of three.js in the mask engine's form.
 
-/** What meshes have that no plane clips. */
+/** For meshes that no plane clips. */
 export const unclipped = [];
 
 /** three.js's planes as rows of four numbers. One that is not finite clips all or nothing. */

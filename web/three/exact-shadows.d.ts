@@ -34,8 +34,8 @@ export interface ExactShadowsOptions {
  * castShadow says, and receive only the shadows of lights that are looked up.
  *
  * Clipping planes mean what they mean for three.js's maps: renderer.clippingPlanes and, with
- * renderer.localClippingEnabled, a material's clippingPlanes and clipIntersection clip what is seen;
- * with clipShadows a material's planes also cut what casts. At most 12 clip a mesh.
+ * renderer.localClippingEnabled, a material's clippingPlanes and clipIntersection clip visible surfaces;
+ * with clipShadows a material's planes also cut casters. At most 12 clip a mesh.
  */
 export class ExactShadows {
   /** `renderer`: with WebGL 2. Turn its own shadowMap off. Throws an Error with a sentence. */
