@@ -51,7 +51,9 @@ test('the mouse drags a plane along its normal, and the address keeps it', async
   const after = await stateOf(page);
   assert.ok(offset(after) > offset(before) + 0.1, `${offset(before)} to ${offset(after)}`);
   assert.deepEqual(after.camera, before.camera);
-  await page.waitForFunction(() => location.hash.includes('section=') && location.hash.includes('section-fill'));
+  // The address follows a little later.
+  await page.waitForFunction((last) => decodeURIComponent(location.hash).includes(last), String(offset(after)));
+  assert.ok((await page.evaluate(() => location.hash)).includes('section-fill'));
   const again = await shared.open(`/${await page.evaluate(() => location.hash)}`);
   assert.deepEqual((await stateOf(again)).section, after.section);
   await shared.check(page);
