@@ -188,7 +188,8 @@ Viewer::Parts::makeGpu(const gl::Capabilities& capabilities) const {
 
 GpuScene Viewer::Parts::uploaded(const LoadedScene& scene, const Gpu& on) const {
     GpuScene made = uploadScene(scene, on.recordsOf(state.left), on.capabilities);
-    made.primitiveMaps.buildWith(settings.mapWorker);
+    // A page's worker knows the scene as it was loaded, so it can't build maps of a cut one.
+    if (!scene.uncut) made.primitiveMaps.buildWith(settings.mapWorker);
     return made;
 }
 
@@ -223,7 +224,7 @@ std::optional<GpuScene> Viewer::Parts::uploadedCut(const LoadedScene& cut, const
     GpuScene made = uploadScene(cut, gpu->recordsOf(of.left), gpu->capabilities, &*gpu->scene);
     for (const VolumeRecords& records : recordsFor(of, *gpu))
         addVolumes(made, cut, records);
-    made.primitiveMaps.buildWith(settings.mapWorker);
+    if (!cut.uncut) made.primitiveMaps.buildWith(settings.mapWorker);
     return made;
 }
 
