@@ -37,6 +37,12 @@ async function aim(page) {
   return middleOf(page);
 }
 
+/** Waits until the light rests and is looked up. */
+const lookedUp = (page) => page.waitForFunction(() => {
+  const { lights } = document.querySelector('edgeshade-viewer').stats;
+  return lights.length > 0 && lights.every(({ method }) => method === 'primitive-map');
+});
+
 const offset = ({ section: { planes: [[x, , , d]] } }) => -d / x;
 
 test('the mouse drags a plane along its normal, and the address keeps it', async () => {
@@ -110,9 +116,14 @@ test('the picture is that of render --section', async () => {
   for (const shadows of ['cut', 'whole']) {
     await change(page, { ambient: 0.4, ground: 'off', lights: [[0.5, 1, 0.3, 0]], show_lights: false,
       section: { planes: [[0, -1, 0, 2]], shadows } });
-    const { pixels, different, astray } = await compare(page, await picture(page), rendered(await stateOf(page),
-      ['--ground', 'off', '--section', '0,-1,0,2', '--section-shadows', shadows]));
-    assert.ok(different < 0.004 * pixels && astray < 40, `${shadows}: ${different} of ${pixels} differ, ${astray} astray`);
+    const wanted = rendered(await stateOf(page),
+      ['--ground', 'off', '--section', '0,-1,0,2', '--section-shadows', shadows]);
+    for (const method of ['volumes', 'primitive-map']) {
+      await change(page, { left: { shadows: method } });
+      if (method === 'primitive-map') await lookedUp(page);
+      const { pixels, different, astray } = await compare(page, await picture(page), wanted);
+      assert.ok(different < 0.004 * pixels && astray < 40, `${shadows}, ${method}: ${different} of ${pixels} differ, ${astray} astray`);
+    }
   }
   await shared.check(page);
 });
