@@ -9,7 +9,8 @@
 # The compiler, and the emulator that runs its programs here: ordinary packages of this machine.
 aarch64_tools=(g++-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user dpkg-dev)
 aarch64_libraries=(libglm-dev nlohmann-json3-dev libtinygltf-dev libstb-dev libcli11-dev
-    libgtest-dev librapidcheck-dev libwebp-dev libwebp7 libegl-dev libgles-dev libegl1 libgles2 libglvnd0)
+    libgtest-dev librapidcheck-dev libwebp-dev libwebp7 libegl-dev libgles-dev libegl1 libgles2 libglvnd0
+    libgl-dev libglu1-mesa-dev)
 
 # Targets that ./test --long builds and runs, except for the program, which is only linked: this is
 # the one build without Embree, GLFW and cairo.
