@@ -189,9 +189,7 @@ Geometry geometryOf(const GltfDocument& document, const std::vector<Piece>& piec
         if (geometry.groups.empty() || geometry.groups.back().material != piece.material)
             geometry.groups.push_back(
                 {piece.material, static_cast<std::uint32_t>(geometry.indices.size()), 0});
-        if (geometry.sources.empty() || geometry.sources.back().node != piece.node)
-            geometry.sources.push_back(
-                {static_cast<std::uint32_t>(geometry.indices.size()), piece.node});
+        addSource(geometry, piece.node);
         const std::size_t firstVertex = geometry.positions.size();
         std::vector<std::uint32_t> corners =
             PieceAppender(document, origin, materials[piece.material], geometry).append(piece);

@@ -22,6 +22,18 @@ int nodeOf(const Geometry& geometry, int placedBy, std::uint32_t index) {
     return after == sources.begin() ? placedBy : (after - 1)->node;
 }
 
+void addSource(Geometry& geometry, int node) {
+    if (geometry.sources.empty() || geometry.sources.back().node != node)
+        geometry.sources.push_back({static_cast<std::uint32_t>(geometry.indices.size()), node});
+}
+
+Box boundsOf(const Geometry& geometry) {
+    Box box;
+    for (const glm::vec3& position : geometry.positions)
+        box.add(glm::dvec3(position));
+    return box;
+}
+
 Box worldBounds(const Scene& scene) {
     Box box;
     for (const Batch& batch : scene.whole().batches) {

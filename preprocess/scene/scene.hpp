@@ -149,6 +149,12 @@ auto byGeometry(const std::vector<Batch>& batches, const Make& make) {
 /// ground. `placedBy`: the batch's.
 int nodeOf(const Geometry& geometry, int placedBy, std::uint32_t index);
 
+/// Says that the triangles to be added to a geometry, from here on, are a glTF node's.
+void addSource(Geometry& geometry, int node);
+
+/// The box of a geometry's vertices, in its own space.
+Box boundsOf(const Geometry& geometry);
+
 /// The box of all vertices in the world, without those of the ground and of hidden batches. A
 /// section leaves it as it was.
 Box worldBounds(const Scene& scene);

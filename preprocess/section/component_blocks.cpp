@@ -80,7 +80,7 @@ class BlockWriter {
             if (to.groups.empty() || to.groups.back().material != group->material)
                 to.groups.push_back(
                     {group->material, static_cast<std::uint32_t>(to.indices.size()), 0});
-            if (!from_.sources.empty()) addSource(nodeOf(from_, -1, 3 * triangle), to);
+            if (!from_.sources.empty()) addSource(to, nodeOf(from_, -1, 3 * triangle));
             for (std::size_t c = 0; c < 3; ++c)
                 to.indices.push_back(vertex(from_.indices[3 * triangle + c], to, used));
             to.groups.back().indexCount += 3;
@@ -92,11 +92,6 @@ class BlockWriter {
 
   private:
     static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-
-    static void addSource(int node, Geometry& to) {
-        if (to.sources.empty() || to.sources.back().node != node)
-            to.sources.push_back({static_cast<std::uint32_t>(to.indices.size()), node});
-    }
 
     std::uint32_t vertex(std::uint32_t of, Geometry& to, std::vector<std::uint32_t>& used) {
         if (vertexOf_[of] != none) return vertexOf_[of];

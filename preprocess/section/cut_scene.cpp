@@ -9,16 +9,6 @@
 #include <utility>
 
 namespace edgeshade {
-namespace {
-
-Box boundsOf(const Geometry& geometry) {
-    Box box;
-    for (const glm::vec3& position : geometry.positions)
-        box.add(glm::dvec3(position));
-    return box;
-}
-
-} // namespace
 
 /// One cut of the scene.
 struct SceneCutter::Cutting {
@@ -40,7 +30,7 @@ struct SceneCutter::Cutting {
 
 namespace {
 
-/// Gives the vertices from `first` on, which only have positions, the attributes of a flat face.
+/// Gives a fill vertices of its own, with the attributes of a flat face.
 void completeFill(Geometry& geometry, const glm::vec3& normal,
                   std::vector<std::array<std::uint32_t, 3>>& triangles) {
     std::map<std::uint32_t, std::uint32_t> copies;
@@ -63,7 +53,9 @@ void completeFill(Geometry& geometry, const glm::vec3& normal,
 /// Collects triangles by material, with their nodes, into a geometry's indices.
 class IndexWriter {
   public:
-    IndexWriter(const Geometry& from, Geometry& to) : from_(from), to_(to) {
+    /// `placedBy`: the batch's.
+    IndexWriter(const Geometry& from, int placedBy, Geometry& to)
+        : from_(from), placedBy_(placedBy), to_(to) {
         to_.indices.clear();
         to_.groups.clear();
         to_.sources.clear();
@@ -74,12 +66,13 @@ class IndexWriter {
     }
     /// `source`: number of the triangle that it was.
     void add(const std::array<std::uint32_t, 3>& corners, std::uint32_t source) {
-        if (!from_.sources.empty()) addSource(nodeOf(from_, -1, 3 * source));
+        if (!from_.sources.empty() || !to_.sources.empty())
+            addSource(to_, nodeOf(from_, placedBy_, 3 * source));
         append(corners);
     }
     /// A triangle of no node.
     void addFill(const std::array<std::uint32_t, 3>& corners) {
-        addSource(-1);
+        addSource(to_, -1);
         append(corners);
     }
     void end() {
@@ -87,16 +80,13 @@ class IndexWriter {
     }
 
   private:
-    void addSource(int node) {
-        if (to_.sources.empty() || to_.sources.back().node != node)
-            to_.sources.push_back({static_cast<std::uint32_t>(to_.indices.size()), node});
-    }
     void append(const std::array<std::uint32_t, 3>& corners) {
         to_.indices.insert(to_.indices.end(), corners.begin(), corners.end());
         to_.groups.back().indexCount += 3;
     }
 
     const Geometry& from_;
+    int placedBy_;
     Geometry& to_;
 };
 
@@ -204,7 +194,7 @@ void SceneCutter::cutBatch(Batch& batch, const Cutting& cutting) {
 
     const std::vector<CutTriangle>& pieces = cut.triangles();
     const std::span<const CutTriangle> fills = piecesOf(pieces, firstFill, firstFill + 1);
-    IndexWriter writer(from, made);
+    IndexWriter writer(from, batch.placedBy, made);
     auto writeFill = [&, written = false]() mutable {
         if (std::exchange(written, true) || fills.empty()) return;
         writer.begin(cutting.fillMaterial());

@@ -17,9 +17,9 @@ class SceneCutter {
     SceneCutter(Scene whole, bool castMasked);
 
     /// The scene as cut, with the same batches and lights. After its materials come the fill's and,
-    /// where shadows are whole, one for what is cut away of each. Batches that
-    /// no plane crosses share their geometry with the scene before; those that a section changes no
-    /// longer deform. The ground isn't cut. Surfaces are visible from both sides.
+    /// where shadows are whole, one for the part of each that is cut away. Batches that no plane
+    /// crosses share their geometry with the scene before; those that a section changes no longer
+    /// deform. The ground isn't cut. Surfaces are visible from both sides.
     ///
     /// Cut faces of solids, that is of closed and opaque components, are filled. Where shadows are
     /// cut too, the fill casts, and solids are closed again (docs/method.md, C50).

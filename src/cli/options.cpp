@@ -9,6 +9,7 @@
 #include "src/shadow/lights/scene_lights.hpp"
 #include "src/shadow/view/framing.hpp"
 #include "src/shadow/view/scene_cameras.hpp"
+#include "src/viewer/section_state.hpp"
 
 #include <charconv>
 #include <glm/gtc/type_ptr.hpp>
@@ -156,7 +157,7 @@ nlohmann::ordered_json SceneOptions::sceneJson(const Scene& scene) const {
     nlohmann::ordered_json json = {{"ground", textOf(typedGround())},
                                    {"cast-cutouts", cutoutsCast},
                                    {"cull", wordOf(settings::cull.domain, scene.culls)}};
-    if (scene.cutFrom) json["section"] = sectionJson(scene.cutFrom->section);
+    if (scene.cutFrom) json["section"] = viewer::toJson(std::optional(scene.cutFrom->section));
     if (time) json["time"] = *time;
     if (!animation.empty()) json["animation"] = animation;
     if (view.lights.sun.typed()) json["sun"] = view.lights.sun.json();

@@ -39,15 +39,6 @@ Section SectionOptions::section() const {
     return section;
 }
 
-nlohmann::ordered_json sectionJson(const Section& section) {
-    nlohmann::ordered_json planes = nlohmann::ordered_json::array();
-    for (const glm::dvec4& plane : section.planes)
-        planes.push_back({plane.x, plane.y, plane.z, plane.w});
-    return {{"planes", planes},
-            {"shadows", wordOf(settings::sectionShadows.domain, section.shadows)},
-            {"fill", textOfFill(section.fill)}};
-}
-
 void addSectionOptions(CLI::App& verb, SectionOptions& options) {
     addRepeated(verb, "--section", [&](const std::string& text) {
         if (options.planes.size() == Section::mostPlanes)

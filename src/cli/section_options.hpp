@@ -3,7 +3,6 @@
 #include "preprocess/scene/section.hpp"
 
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,9 +21,6 @@ struct SectionOptions {
     /// Throws Error(usage) if only how to cut was typed.
     Section section() const;
 };
-
-/// {"planes": [[x, y, z, d], ...], "shadows", "fill"}.
-nlohmann::ordered_json sectionJson(const Section& section);
 
 /// Adds the options to a verb; `options` must outlive parsing.
 void addSectionOptions(CLI::App& verb, SectionOptions& options);

@@ -11,6 +11,7 @@
 #include "src/scene/pose.hpp"
 #include "src/shadow/view/light_budget.hpp"
 #include "src/shadow/view/scene_cameras.hpp"
+#include "src/viewer/section_state.hpp"
 
 #include <memory>
 #endif
@@ -92,7 +93,7 @@ Json stateFrom(const WindowOptions& options, const Scene& scene,
     }
     if (options.ground) typed["ground"] = textOf(*options.ground);
     if (const Section section = options.section.section(); !section.planes.empty())
-        typed["section"] = sectionJson(section);
+        typed["section"] = viewer::toJson(std::optional(section));
     if (options.time) typed["time"] = *options.time;
     if (animation) typed["animation"] = *animation;
     return typed;

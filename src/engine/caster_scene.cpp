@@ -162,9 +162,7 @@ void CasterScene::put(std::size_t batch, const PreparedMesh& mesh) {
     slot.whole = mesh.data();
     slot.alpha = {};
     slot.changed = draws_;
-    slot.own = {};
-    for (const glm::vec3& position : slot.whole->geometry->positions)
-        slot.own.add(position);
+    slot.own = boundsOf(*slot.whole->geometry);
     clip(batch);
     if (cast || slot.casts()) ++casterState_;
     show(batch, slot.mesh);

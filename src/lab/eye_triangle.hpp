@@ -12,7 +12,7 @@ namespace edgeshade::lab {
 struct EyeTriangle {
     glm::dvec3 a{0.0}, b{0.0}, c{0.0};
     std::uint32_t batch = 0;
-    std::uint32_t firstIndex = 0; ///< of its corners, in Batch::indices
+    std::uint32_t firstIndex = 0; ///< of its corners, in Geometry::indices
     std::uint32_t material = 0;
     const Geometry* geometry = nullptr; ///< that has its corners; the scene owns it
     /// The corners' coordinates in the geometry's triangle, of its second and third corner; other

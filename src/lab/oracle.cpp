@@ -202,8 +202,7 @@ void Oracle::findTouched() {
     const std::vector<Batch>& batches = question_.scene->batches;
     std::vector<Box> bounds(batches.size());
     for (std::size_t b = 0; b < batches.size(); ++b)
-        for (const glm::vec3& position : batches[b].geometry->positions)
-            bounds[b].add(glm::dvec3(position));
+        bounds[b] = boundsOf(*batches[b].geometry);
     for (const Light& light : question_.lights) {
         std::vector<glm::dvec4>& places = lightInBatch_.emplace_back();
         std::vector<bool> reached;

@@ -1,5 +1,7 @@
 #include "src/lab/section_clip.hpp"
 
+#include "preprocess/section/geometry_cut.hpp"
+
 #include <algorithm>
 
 namespace edgeshade::lab {
@@ -56,7 +58,7 @@ bool boundsWhatIsBelow(const glm::dvec4& plane, const Polygon& polygon) {
 SectionClip::SectionClip(const Section& section, const glm::dmat4& worldFromBatch)
     : castsWhole_(section.shadows == SectionShadows::whole) {
     for (const glm::dvec4& plane : section.planes)
-        planes_.push_back(glm::transpose(worldFromBatch) * plane);
+        planes_.push_back(planeInBatch(plane, worldFromBatch));
 }
 
 void SectionClip::add(const EyeTriangle& triangle, bool solid, std::vector<EyeTriangle>& to) const {

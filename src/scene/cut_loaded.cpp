@@ -3,7 +3,6 @@
 #include "preprocess/section/component_blocks.hpp"
 
 #include <algorithm>
-#include <map>
 
 namespace edgeshade {
 namespace {
@@ -23,36 +22,39 @@ bool isEmpty(const Scene& scene) {
 void cutScene(LoadedScene& loaded, const Section& section) {
     if (section.planes.empty()) {
         if (!loaded.uncut) return;
-        loaded.scene = std::move(loaded.uncut->scene);
-        loaded.planePairs = std::move(loaded.uncut->planePairs);
-        loaded.shadows = std::move(loaded.uncut->shadows);
+        // Copied, because copies of the loaded scene share it.
+        loaded.scene = loaded.uncut->scene;
+        loaded.planePairs = loaded.uncut->planePairs;
+        loaded.shadows = loaded.uncut->shadows;
         loaded.uncut.reset();
         return;
     }
     if (!loaded.uncut) {
-        Scene blocks = inBlocks(loaded.scene);
-        auto ofBlocks =
-            buildPlanePairs(blocks, loaded.settings.castMasked, loaded.settings.flatTolerance);
-        loaded.uncut = std::make_shared<UncutScene>(UncutScene{
-            std::move(loaded.scene), std::move(loaded.planePairs), std::move(loaded.shadows),
-            SceneCutter(std::move(blocks), loaded.settings.castMasked), std::move(ofBlocks)});
+        SceneCutter cutter(inBlocks(loaded.scene), loaded.settings.castMasked);
+        loaded.uncut = std::make_shared<UncutScene>(
+            UncutScene{std::move(loaded.scene), std::move(loaded.planePairs),
+                       std::move(loaded.shadows), std::move(cutter)});
+        UncutScene& made = *loaded.uncut;
+        for (std::size_t i = 0; i < made.planePairs.size(); ++i) // for those that are no blocks
+            made.ofWhole.emplace(&*made.scene.batches[i].geometry, made.planePairs[i]);
     }
     UncutScene& uncut = *loaded.uncut;
     const Scene& whole = uncut.cutter.whole();
     loaded.scene = uncut.cutter.cut(section);
     loaded.shadows.clear();
-    std::map<const Geometry*, std::shared_ptr<const PlanePairShadow>> known;
+    std::map<const Geometry*, std::shared_ptr<const PlanePairShadow>> known = uncut.ofWhole;
     for (const auto& [geometry, records] : uncut.last)
         known.emplace(&*geometry, records);
     loaded.planePairs = byGeometry(loaded.scene.batches, [&](std::size_t i) {
         const Batch& batch = loaded.scene.batches[i];
-        if (&*batch.geometry == &*whole.batches[i].geometry) return uncut.ofBlocks[i];
-        if (const auto found = known.find(&*batch.geometry); found != known.end())
-            return found->second;
+        const Geometry* const geometry = &*batch.geometry;
+        if (const auto found = known.find(geometry); found != known.end()) return found->second;
         const Casters casters =
             castersOf(batch, loaded.scene.materials, loaded.settings.castMasked);
-        return std::make_shared<const PlanePairShadow>(
+        auto records = std::make_shared<const PlanePairShadow>(
             buildPlanePairs(batch, casters, loaded.scene.materials, loaded.settings.flatTolerance));
+        if (geometry == &*whole.batches[i].geometry) uncut.ofWhole.emplace(geometry, records);
+        return records;
     });
     uncut.last.clear();
     for (std::size_t i = 0; i < loaded.planePairs.size(); ++i)

@@ -3,6 +3,11 @@
 #include "preprocess/section/cut_scene.hpp"
 #include "src/scene/load.hpp"
 
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
 namespace edgeshade {
 
 /// A loaded scene as it was before a section cut it.
@@ -11,7 +16,8 @@ struct UncutScene {
     std::vector<std::shared_ptr<const PlanePairShadow>> planePairs;
     Shadows shadows;
     SceneCutter cutter; ///< of the scene in blocks, inBlocks()
-    std::vector<std::shared_ptr<const PlanePairShadow>> ofBlocks; ///< records of the blocks
+    /// Records of the cutter's geometries, made when a cut first leaves one whole.
+    std::map<const Geometry*, std::shared_ptr<const PlanePairShadow>> ofWhole = {};
     /// Geometries of the last cut and their records, for those that the next one leaves.
     std::vector<std::pair<CopyOnWrite<Geometry>, std::shared_ptr<const PlanePairShadow>>> last = {};
 };

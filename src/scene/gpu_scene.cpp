@@ -1,6 +1,7 @@
 #include "src/scene/gpu_scene.hpp"
 #include "src/settings/build_parts.hpp"
 
+#include <algorithm>
 #include <map>
 
 namespace edgeshade {
@@ -139,10 +140,7 @@ GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> rec
         }
     for (std::size_t i = 0; i < scene.batches.size(); ++i)
         if (scene.batches[i].deforms()) gpu.batches[i].parts = surfacePartsOf(scene.batches[i]);
-    if (records && records->volumes == VolumeLayout::planePairs)
-        addPlanePairs(gpu, loaded, records->layout);
-    else if (records)
-        addVolumes(gpu, loaded, *records);
+    if (records) addVolumes(gpu, loaded, *records);
     return gpu;
 }
 
@@ -158,8 +156,9 @@ void uploadShape(GpuScene& gpu, const LoadedScene& loaded, std::size_t batch) {
 }
 
 void addVolumes(GpuScene& gpu, const LoadedScene& loaded, VolumeRecords records) {
-    if (gpu.batches.empty()) return;
-    if (gpu.batches.front().volumes.has(records.volumes)) return;
+    if (std::all_of(gpu.batches.begin(), gpu.batches.end(),
+                    [&](const GpuBatch& batch) { return batch.volumes.has(records.volumes); }))
+        return;
     if (records.volumes == VolumeLayout::planePairs)
         addPlanePairs(gpu, loaded, records.layout);
     else if (records.source)

@@ -24,11 +24,6 @@ glm::dvec3 projected(const glm::dvec3& point, const glm::dvec4& plane) {
     return point - normal * (signedDistance(plane, point) / glm::dot(normal, normal));
 }
 
-glm::dvec3 cornerOf(const Box& box, int i) {
-    return {(i & 1) != 0 ? box.high.x : box.low.x, (i & 2) != 0 ? box.high.y : box.low.y,
-            (i & 4) != 0 ? box.high.z : box.low.z};
-}
-
 double sizeOf(const Box& box) {
     return box.diagonal() > 0.0 ? box.diagonal() : 1.0;
 }
@@ -61,7 +56,7 @@ bool isAlong(const glm::dvec4& plane, glm::length_t axis) {
 } // namespace
 
 std::vector<SectionHandle> sectionHandles(const Section& section, const Box& whole) {
-    glm::dvec3 inside = whole.empty() ? glm::dvec3(0.0) : whole.center();
+    glm::dvec3 inside = whole.center();
     for (const glm::dvec4& plane : section.planes)
         if (signedDistance(plane, inside) < 0.0) inside = projected(inside, plane);
     std::vector<SectionHandle> handles;
@@ -99,7 +94,7 @@ std::vector<glm::dvec3> planeInBox(const glm::dvec4& plane, const Box& box) {
     for (int from = 0; from < 8; ++from)
         for (const int bit : {1, 2, 4}) {
             if ((from & bit) != 0) continue;
-            const glm::dvec3 a = cornerOf(box, from), b = cornerOf(box, from | bit);
+            const glm::dvec3 a = box.corner(from), b = box.corner(from | bit);
             const double atA = signedDistance(plane, a), atB = signedDistance(plane, b);
             if ((atA < 0.0) == (atB < 0.0)) continue;
             corners.push_back(a + (b - a) * (atA / (atA - atB)));
@@ -129,7 +124,7 @@ SectionDrag::SectionDrag(std::size_t plane, const Section& section, const Box& w
     if (whole.empty()) return;
     const double beyond = margin * sizeOf(whole);
     for (int i = 0; i < 8; ++i) {
-        const double at = glm::dot(cornerOf(whole, i) - handle_.place, handle_.normal);
+        const double at = glm::dot(whole.corner(i) - handle_.place, handle_.normal);
         least_ = std::min(least_, at - beyond);
         most_ = std::max(most_, at + beyond);
     }
@@ -162,7 +157,7 @@ std::optional<Section> sectionAlong(glm::length_t axis, const std::optional<Sect
                                     const Box& whole, const glm::dvec3& eye) {
     if (section && section->planes.size() == 1 && isAlong(section->planes.front(), axis))
         return std::nullopt;
-    const glm::dvec3 middle = whole.empty() ? glm::dvec3(0.0) : whole.center();
+    const glm::dvec3 middle = whole.center();
     glm::dvec3 normal(0.0);
     normal[axis] = eye[axis] > middle[axis] ? -1.0 : 1.0;
     return withPlanes(section, {planeThrough(middle, normal)});
@@ -170,7 +165,7 @@ std::optional<Section> sectionAlong(glm::length_t axis, const std::optional<Sect
 
 std::optional<Section> sectionFacing(const std::optional<Section>& section, const Box& whole,
                                      const glm::dvec3& forward) {
-    const glm::dvec3 middle = whole.empty() ? glm::dvec3(0.0) : whole.center();
+    const glm::dvec3 middle = whole.center();
     const std::vector<glm::dvec4> planes = {planeThrough(middle, forward)};
     if (section && section->planes == planes) return std::nullopt;
     return withPlanes(section, planes);
@@ -178,7 +173,7 @@ std::optional<Section> sectionFacing(const std::optional<Section>& section, cons
 
 std::optional<Section> sectionBoxOf(const std::optional<Section>& section, const Box& whole) {
     if (section && section->planes.size() == 6) return std::nullopt;
-    const glm::dvec3 middle = whole.empty() ? glm::dvec3(0.0) : whole.center();
+    const glm::dvec3 middle = whole.center();
     const glm::dvec3 extent = whole.empty() ? glm::dvec3(0.0) : whole.high - whole.low;
     const glm::dvec3 half = boxShare * extent + thinnest * sizeOf(whole);
     return withPlanes(section, sectionBox(middle - half, middle + half));

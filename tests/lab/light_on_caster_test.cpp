@@ -1,9 +1,8 @@
 // Lights on casters and suns in the planes of walls, rotated and moved by ordinary numbers,
 // compared with rays for every method and layout (docs/method.md, C47).
-#include "src/lab/compare.hpp"
-#include "src/rivals/rivals.hpp"
 #include "src/shadow/lights/light_contact.hpp"
 #include "src/shadow/lights/scene_lights.hpp"
+#include "tests/lab/contender.hpp"
 #include "tests/lab/extreme_scenes.hpp"
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/headless.hpp"
@@ -18,15 +17,7 @@ namespace {
 constexpr int width = 160, height = 90;
 constexpr double aspect = static_cast<double>(width) / height;
 
-lab::Contender contender(const std::string& name,
-                         const std::function<void(RenderSettings&)>& choose) {
-    lab::Contender made;
-    made.name = name;
-    made.settings.shading = Shading::base;
-    choose(made.settings);
-    made.settings.rivals = &allRivals();
-    return made;
-}
+using test::contender;
 
 /// Every method, and every layout of volumes.
 std::vector<lab::Contender> everyWay() {

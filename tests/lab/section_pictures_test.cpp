@@ -1,8 +1,7 @@
 // Scenes that sections cut open, judged by an oracle that clips its own triangles (docs/method.md,
 // C49 and C50).
-#include "src/lab/compare.hpp"
-#include "src/rivals/rivals.hpp"
 #include "src/scene/cut_loaded.hpp"
+#include "tests/lab/contender.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/loaded_scene.hpp"
 #include "tests/support/scene_builder.hpp"
@@ -15,15 +14,7 @@ namespace {
 
 constexpr int width = 160, height = 100;
 
-lab::Contender contender(const std::string& name,
-                         const std::function<void(RenderSettings&)>& choose) {
-    lab::Contender made;
-    made.name = name;
-    made.settings.shading = Shading::base;
-    choose(made.settings);
-    made.settings.rivals = &allRivals();
-    return made;
-}
+using test::contender;
 
 std::vector<lab::Contender> everyWay() {
     std::vector<lab::Contender> ways = {

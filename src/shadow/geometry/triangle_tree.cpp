@@ -35,9 +35,7 @@ void keepSeen(const Geometry& geometry, const std::vector<Material>& materials,
 std::vector<std::uint32_t> alongCurve(const Geometry& geometry,
                                       const std::vector<Material>& materials, Threads threads) {
     const std::size_t count = geometry.indices.size() / 3;
-    Box all;
-    for (const glm::vec3& position : geometry.positions)
-        all.add(glm::dvec3(position));
+    const Box all = boundsOf(geometry);
     std::vector<Keyed<2>> order(count);
     forEachItem(count, itemsOfThread, threads, [&](std::size_t t) {
         order[t] = {mortonKey(mortonCode(middleOf(geometry, t), all)),
