@@ -88,13 +88,9 @@ export class Casters {
     return [...this.#prepared.values()].filter(({ number, ahead }) => number === null || ahead).length;
   }
 
-  /**
-   * Whether a followed mesh casts with all of its triangles, as lookups may assume. Clipped ones show
-   * their insides, which lookups must not take for the lit outsides beside them.
-   */
+  /** Whether a followed mesh casts with all of its triangles, as lookups may assume. */
   casts(mesh) {
-    const had = this.#meshes.get(mesh);
-    return Boolean(had?.casts) && had.clippings === unclipped;
+    return Boolean(this.#meshes.get(mesh)?.casts);
   }
 
   /** Resolves when nothing is pending; throws any error since the last call. */
