@@ -1,9 +1,11 @@
 // All compared ways of drawing shadows.
 
 import { BasicShadowMap, PCFShadowMap, VSMShadowMap } from 'three';
+import { Rays } from './bvh.js';
 import { Cascades } from './cascades.js';
 import { Mapped, Pcss } from './mapped.js';
 import { extentOf, Method } from './method.js';
+import { TwoCascades } from './sun-light.js';
 
 /** Sizes of maps, in texels per side; a lamp has six maps of that size. */
 export const mapSizes = [512, 1024, 2048, 4096];
@@ -55,6 +57,8 @@ export const methods = {
   vsm: { label: 'Map, VSM', Kind: Mapped, type: VSMShadowMap, lights: ['sun'], ...map },
   pcss: { label: 'Map, PCSS', Kind: Pcss, type: BasicShadowMap, lights: ['sun', 'lamp'], ...map, reference: 'exact-soft' },
   csm: { label: '3 cascades (CSM)', Kind: Cascades, lights: ['sun'], ...map, keepsMap: false },
+  sunlight: { label: '2 cascades (SunLight)', Kind: TwoCascades, lights: ['sun'], ...map, keepsMap: false },
+  bvh: { label: 'A ray a pixel (three-mesh-bvh)', Kind: Rays, lights: ['sun', 'lamp'], reference: 'exact' },
   none: { label: 'No shadows', Kind: Unshadowed, lights: ['sun', 'lamp'], reference: null },
 };
 

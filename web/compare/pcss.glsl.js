@@ -83,8 +83,9 @@ float pcssLamp( samplerCube map, vec2 mapSize, float intensity, float bias, floa
 #endif
 `;
 
-function replaced(text, wanted, by) {
-  if (!text.includes(wanted)) throw new Error(`This release of three.js has no '${wanted}' to put soft shadows in place of.`);
+/** Throws if the text hasn't what is wanted. */
+export function replaced(text, wanted, by) {
+  if (!text.includes(wanted)) throw new Error(`This release of three.js has no '${wanted}' to put other shadows in place of.`);
   return text.replaceAll(wanted, by);
 }
 

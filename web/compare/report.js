@@ -14,6 +14,7 @@ const columnsOf = ({ gpu_timer: gpuTimer }) => {
   const motion = (title, key) => [
     { title: `Light ${title}, ms`, cell: ({ [key]: { frame_ms: frame, cost } }) => spread(frame, cost?.lookedUp ? ', looked up' : '') },
     ...(gpuTimer ? [{ title: 'of it GPU', cell: (result) => spread(result[key].gpu_ms)[0] }] : []),
+    { title: "of it the page's thread", cell: (result) => spread(result[key].cpu_ms)[0] },
     { title: 'to exact', cell: (result) => times(result[key].ratio_to_exact) },
   ];
   return [
