@@ -1,6 +1,7 @@
 #pragma once
 
 #include "preprocess/scene/scene.hpp"
+#include "preprocess/section/cut_origins.hpp"
 
 #include <map>
 #include <memory>
@@ -27,6 +28,10 @@ class SceneCutter {
 
     const Scene& whole() const { return *whole_; }
 
+    /// Origins of the triangles that the last cut() gave each batch; empty for those whose geometry
+    /// is of the whole scene, or the same as after an earlier cut.
+    const std::vector<CutOrigins>& origins() const { return origins_; }
+
   private:
     struct Cutting;
 
@@ -38,10 +43,11 @@ class SceneCutter {
 
     Known& knownOf(const Geometry& geometry);
     void addMaterials(const Section& section, std::vector<Material>& materials) const;
-    void cutBatch(Batch& batch, const Cutting& cutting);
+    void cutBatch(Batch& batch, const Cutting& cutting, CutOrigins& origins);
 
     std::shared_ptr<const Scene> whole_;
     bool castMasked_;
+    std::vector<CutOrigins> origins_;        ///< by batch
     CopyOnWrite<Geometry> nothing_;          ///< of batches that are cut away and cast nothing
     std::map<const Geometry*, Known> known_; ///< of the whole scene
 };

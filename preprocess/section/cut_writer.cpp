@@ -1,0 +1,90 @@
+#include "preprocess/section/cut_writer.hpp"
+
+#include <algorithm>
+
+namespace edgeshade {
+namespace {
+
+template <class Value>
+void copyWithRoom(const std::vector<Value>& from, std::size_t more, std::vector<Value>& to) {
+    if (from.empty()) return;
+    to.reserve(from.size() + more);
+    to.assign(from.begin(), from.end());
+}
+
+} // namespace
+
+Geometry verticesOf(const Geometry& geometry, std::size_t more) {
+    Geometry to;
+    copyWithRoom(geometry.positions, more, to.positions);
+    copyWithRoom(geometry.normals, more, to.normals);
+    copyWithRoom(geometry.texcoords, more, to.texcoords);
+    copyWithRoom(geometry.colors, more, to.colors);
+    for (std::size_t i = 0; i < geometry.moreTexcoords.size(); ++i)
+        copyWithRoom(geometry.moreTexcoords[i], more, to.moreTexcoords[i]);
+    copyWithRoom(geometry.tangents, more, to.tangents);
+    return to;
+}
+
+CutWriter::CutWriter(const Geometry& from, const std::vector<TriangleFate>& fates,
+                     std::span<const CutTriangle> pieces, int placedBy, Geometry& to,
+                     CutOrigins& origins)
+    : from_(from), fates_(fates), pieces_(pieces), placedBy_(placedBy), to_(to), origins_(origins) {
+    to_.indices.reserve(from.indices.size() + 3 * pieces.size());
+    origins_.ofTriangle.reserve(from.indices.size() / 3 + pieces.size());
+}
+
+void CutWriter::begin(std::size_t material) {
+    to_.groups.push_back({material, static_cast<std::uint32_t>(to_.indices.size()), 0});
+}
+
+void CutWriter::end() {
+    SurfaceGroup& group = to_.groups.back();
+    group.indexCount = static_cast<std::uint32_t>(to_.indices.size()) - group.firstIndex;
+    if (group.indexCount == 0) to_.groups.pop_back();
+}
+
+void CutWriter::add(const std::array<std::uint32_t, 3>& corners, std::uint32_t origin) {
+    to_.indices.insert(to_.indices.end(), corners.begin(), corners.end());
+    origins_.ofTriangle.push_back(origin);
+}
+
+void CutWriter::addSourceOf(std::uint32_t triangle) {
+    if (!from_.sources.empty() || !to_.sources.empty())
+        addSource(to_, nodeOf(from_, placedBy_, 3 * triangle));
+}
+
+void CutWriter::addPart(const SurfaceGroup& group, std::size_t material, bool away) {
+    const std::uint32_t first = group.firstIndex / 3, count = group.indexCount / 3;
+    const TriangleFate taken = away ? TriangleFate::away : TriangleFate::kept;
+    auto piece = std::lower_bound(
+        pieces_.begin(), pieces_.end(), first,
+        [](const CutTriangle& of, std::uint32_t source) { return of.source < source; });
+    begin(material);
+    for (std::uint32_t t = first; t < first + count; ++t) {
+        if (fates_[t] == taken) {
+            addSourceOf(t);
+            const std::uint32_t* const corners = &from_.indices[std::size_t{3} * t];
+            add({corners[0], corners[1], corners[2]}, t);
+        }
+        for (; piece != pieces_.end() && piece->source == t; ++piece) {
+            if (piece->away != away) continue;
+            addSourceOf(t);
+            add(piece->corners, CutOrigins::piece);
+        }
+    }
+    end();
+}
+
+void CutWriter::addFill(std::span<const CutTriangle> fill, std::size_t material) {
+    if (fill.empty()) return;
+    begin(material);
+    for (const CutTriangle& piece : fill) {
+        if (piece.away) continue;
+        addSource(to_, -1);
+        add(piece.corners, CutOrigins::piece);
+    }
+    end();
+}
+
+} // namespace edgeshade

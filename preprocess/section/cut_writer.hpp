@@ -1,0 +1,45 @@
+#pragma once
+
+#include "preprocess/section/cut_origins.hpp"
+#include "preprocess/section/geometry_cut.hpp"
+#include "preprocess/section/triangle_fates.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace edgeshade {
+
+/// The vertices of a geometry, with all their attributes and without triangles. `more`: vertices
+/// that are to follow.
+Geometry verticesOf(const Geometry& geometry, std::size_t more);
+
+/// Writes the triangles of a cut geometry, material by material, with their nodes and origins.
+class CutWriter {
+  public:
+    /// `from`: the geometry before, with the fates of its triangles; `pieces`: of those that planes
+    /// met, ascending by source; `placedBy`: the batch's. `to` has the vertices.
+    CutWriter(const Geometry& from, const std::vector<TriangleFate>& fates,
+              std::span<const CutTriangle> pieces, int placedBy, Geometry& to, CutOrigins& origins);
+
+    /// Adds what is kept, or what is cut away, of a group of `from`, as a group of this material.
+    void addPart(const SurfaceGroup& group, std::size_t material, bool away);
+    /// Adds those of the pieces that aren't away, of no node, as a group of this material.
+    void addFill(std::span<const CutTriangle> fill, std::size_t material);
+
+  private:
+    void begin(std::size_t material);
+    void end();
+    void add(const std::array<std::uint32_t, 3>& corners, std::uint32_t origin);
+    void addSourceOf(std::uint32_t triangle);
+
+    const Geometry& from_;
+    const std::vector<TriangleFate>& fates_;
+    std::span<const CutTriangle> pieces_;
+    int placedBy_;
+    Geometry& to_;
+    CutOrigins& origins_;
+};
+
+} // namespace edgeshade
