@@ -1,0 +1,19 @@
+#pragma once
+
+#include "preprocess/section/cut_origins.hpp"
+#include "preprocess/volumes/uncut_records.hpp"
+
+namespace edgeshade {
+
+/// The records of a geometry that a section cuts. Records away from the cut are those of the uncut
+/// geometry; only edges of triangles that planes meet, and of fills, are found again. They count
+/// for every light as buildPlanePairs()'s do (docs/method/sections.md, C51). All are one cluster,
+/// which is closed if its edges are, and whose components aren't counted.
+///
+/// `uncut`: canFollowCuts(). `cut`: the geometry as cut, of these origins; `materials`: of the cut
+/// scene.
+PlanePairShadow cutRecords(const UncutRecords& uncut, const Geometry& cut,
+                           const CutOrigins& origins, const std::vector<Material>& materials,
+                           bool castMasked);
+
+} // namespace edgeshade
