@@ -122,6 +122,7 @@ void SceneCutter::cutBatch(Batch& batch, const Cutting& cutting, CutOrigins& ori
     const Geometry& from = *before;
     Known& known = knownOf(from);
     const BoxSide side = sideOf(known.bounds, planes);
+    if (side != BoxSide::crossed) known.made.clear();
     if (side == BoxSide::kept) return;
     batch.deformation = nullptr;
     if (side == BoxSide::away) {
@@ -137,7 +138,8 @@ void SceneCutter::cutBatch(Batch& batch, const Cutting& cutting, CutOrigins& ori
     if (!known.solid) known.solid = solidTriangles(from, whole_->materials);
     const std::vector<TriangleFate> fates = fatesOf(from, planes);
     origins.met = metOf(fates);
-    Geometry made = verticesOf(from, 3 * origins.met.size());
+    Geometry made = known.made.take();
+    takeVertices(from, 3 * origins.met.size(), made);
     GeometryCut cut(made, from.indices, *known.solid, origins.met);
     const auto firstFill = static_cast<std::uint32_t>(from.indices.size() / 3);
     for (const glm::dvec4& plane : planes) {
@@ -176,7 +178,7 @@ void SceneCutter::cutBatch(Batch& batch, const Cutting& cutting, CutOrigins& ori
         made.simplifiedCasters = cutting.keepsAway()
                                      ? *from.simplifiedCasters
                                      : cutIndices(*from.simplifiedCasters, planes, made);
-    batch.geometry = CopyOnWrite<Geometry>(std::move(made));
+    batch.geometry = CopyOnWrite<Geometry>(known.made.share(std::move(made)));
     if (side == BoxSide::away) known.away = batch.geometry;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "preprocess/base/shared_pool.hpp"
 #include "preprocess/scene/scene.hpp"
 #include "preprocess/section/cut_origins.hpp"
 
@@ -39,6 +40,7 @@ class SceneCutter {
         Box bounds;
         std::optional<std::vector<std::uint8_t>> solid; ///< by triangle; found when first cut
         std::optional<CopyOnWrite<Geometry>> away; ///< all of it cut away, and casting as a whole
+        SharedPool<Geometry> made;                 ///< cuts of it
     };
 
     Known& knownOf(const Geometry& geometry);

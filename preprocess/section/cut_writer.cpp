@@ -6,24 +6,30 @@ namespace edgeshade {
 namespace {
 
 template <class Value>
-void copyWithRoom(const std::vector<Value>& from, std::size_t more, std::vector<Value>& to) {
+void take(const std::vector<Value>& from, std::size_t more, std::vector<Value>& to) {
+    if (from.empty() || to.size() < from.size())
+        to.clear();
+    else
+        to.resize(from.size());
     if (from.empty()) return;
     to.reserve(from.size() + more);
-    to.assign(from.begin(), from.end());
+    to.insert(to.end(), from.begin() + static_cast<std::ptrdiff_t>(to.size()), from.end());
 }
 
 } // namespace
 
-Geometry verticesOf(const Geometry& geometry, std::size_t more) {
-    Geometry to;
-    copyWithRoom(geometry.positions, more, to.positions);
-    copyWithRoom(geometry.normals, more, to.normals);
-    copyWithRoom(geometry.texcoords, more, to.texcoords);
-    copyWithRoom(geometry.colors, more, to.colors);
+void takeVertices(const Geometry& geometry, std::size_t more, Geometry& to) {
+    take(geometry.positions, more, to.positions);
+    take(geometry.normals, more, to.normals);
+    take(geometry.texcoords, more, to.texcoords);
+    take(geometry.colors, more, to.colors);
     for (std::size_t i = 0; i < geometry.moreTexcoords.size(); ++i)
-        copyWithRoom(geometry.moreTexcoords[i], more, to.moreTexcoords[i]);
-    copyWithRoom(geometry.tangents, more, to.tangents);
-    return to;
+        take(geometry.moreTexcoords[i], more, to.moreTexcoords[i]);
+    take(geometry.tangents, more, to.tangents);
+    to.indices.clear();
+    to.groups.clear();
+    to.sources.clear();
+    to.simplifiedCasters.reset();
 }
 
 CutWriter::CutWriter(const Geometry& from, const std::vector<TriangleFate>& fates,

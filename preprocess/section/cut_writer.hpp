@@ -11,9 +11,10 @@
 
 namespace edgeshade {
 
-/// The vertices of a geometry, with all their attributes and without triangles. `more`: vertices
-/// that are to follow.
-Geometry verticesOf(const Geometry& geometry, std::size_t more);
+/// Gives `to` the vertices of a geometry, with all their attributes, and no triangles. `to`: empty,
+/// or begun with this before and since then only added to, so that its first vertices are the
+/// geometry's already. `more`: vertices that are to follow.
+void takeVertices(const Geometry& geometry, std::size_t more, Geometry& to);
 
 /// Writes the triangles of a cut geometry, material by material, with their nodes and origins.
 class CutWriter {

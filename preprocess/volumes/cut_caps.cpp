@@ -79,10 +79,9 @@ void addPart(const UncutRecords& uncut, const Numbers& numbers, std::uint32_t fi
 
 } // namespace
 
-CutCaps cutCaps(const UncutRecords& uncut, const Geometry& cut, const CutOrigins& origins,
-                const std::vector<Material>& materials, bool castMasked) {
+void findCaps(const UncutRecords& uncut, const Geometry& cut, const CutOrigins& origins,
+              const std::vector<Material>& materials, bool castMasked, CutCaps& made) {
     const Numbers numbers = numbersOf(uncut, cut, origins, materials, castMasked);
-    CutCaps made;
     made.capOf.assign(numbers.ofCap.size(), UncutRecords::none);
     made.caps.reserve(numbers.end);
     made.capTriangles.reserve(numbers.end);
@@ -91,7 +90,6 @@ CutCaps cutCaps(const UncutRecords& uncut, const Geometry& cut, const CutOrigins
     addPart(uncut, numbers, numbers.firstAway, numbers.end, numbers.awayMaterial.value_or(0), made);
     made.away = numbers.end - numbers.firstAway;
     made.singleSided = numbers.singleSided;
-    return made;
 }
 
 } // namespace edgeshade

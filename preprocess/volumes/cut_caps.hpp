@@ -29,8 +29,9 @@ struct CutCaps {
     std::uint32_t singleSided = 0;       ///< the first caps, that are single-sided
 };
 
-/// `cut`: the geometry as cut; `materials`: of the cut scene.
-CutCaps cutCaps(const UncutRecords& uncut, const Geometry& cut, const CutOrigins& origins,
-                const std::vector<Material>& materials, bool castMasked);
+/// Fills in `caps`, whose arrays are empty. `cut`: the geometry as cut; `materials`: of the cut
+/// scene.
+void findCaps(const UncutRecords& uncut, const Geometry& cut, const CutOrigins& origins,
+              const std::vector<Material>& materials, bool castMasked, CutCaps& caps);
 
 } // namespace edgeshade

@@ -120,13 +120,33 @@ void addCluster(bool closed, const CutCaps& caps, PlanePairShadow& to) {
         to.clusters.front().bounds.add(leaf);
 }
 
+/// The records without any, but for the memory of their arrays.
+PlanePairShadow emptied(PlanePairShadow records) {
+    PlanePairShadow empty;
+    const auto keep = [](auto& from, auto& to) {
+        from.clear();
+        to = std::move(from);
+    };
+    keep(records.pairs, empty.pairs);
+    keep(records.pairPlanes, empty.pairPlanes);
+    keep(records.singles, empty.singles);
+    keep(records.singlePlanes, empty.singlePlanes);
+    keep(records.caps, empty.caps);
+    keep(records.capTriangles, empty.capTriangles);
+    keep(records.leaves, empty.leaves);
+    return empty;
+}
+
 } // namespace
 
 PlanePairShadow cutRecords(const UncutRecords& uncut, const Geometry& cut,
                            const CutOrigins& origins, const std::vector<Material>& materials,
-                           bool castMasked) {
-    PlanePairShadow made;
-    CutCaps caps = cutCaps(uncut, cut, origins, materials, castMasked);
+                           bool castMasked, PlanePairShadow spare) {
+    PlanePairShadow made = emptied(std::move(spare));
+    CutCaps caps;
+    caps.caps = std::move(made.caps);
+    caps.capTriangles = std::move(made.capTriangles);
+    findCaps(uncut, cut, origins, materials, castMasked, caps);
     if (caps.caps.empty()) return made;
     const CutBorder border = cutBorder(uncut, origins.met, caps);
     for (std::size_t i = 0; i < caps.pieces.size(); ++i)

@@ -11,9 +11,9 @@ namespace edgeshade {
 /// which is closed if its edges are, and whose components aren't counted.
 ///
 /// `uncut`: canFollowCuts(). `cut`: the geometry as cut, of these origins; `materials`: of the cut
-/// scene.
+/// scene. `spare`: records that are no longer needed, for the memory of their arrays.
 PlanePairShadow cutRecords(const UncutRecords& uncut, const Geometry& cut,
                            const CutOrigins& origins, const std::vector<Material>& materials,
-                           bool castMasked);
+                           bool castMasked, PlanePairShadow spare = {});
 
 } // namespace edgeshade

@@ -19,17 +19,17 @@ bool isEmpty(const Scene& scene) {
 }
 
 /// What cutRecords() needs of the uncut batch; null if it doesn't apply.
-const UncutRecords* followedOf(UncutScene& uncut, const Batch& batch,
-                               const CasterSettings& settings) {
+FollowedGeometry* followedOf(UncutScene& uncut, const Batch& batch,
+                             const CasterSettings& settings) {
     const Geometry& geometry = *batch.geometry;
     const auto [found, isNew] = uncut.followed.try_emplace(&geometry);
     if (!isNew) return found->second.get();
     if (batch.deforms() || geometry.simplifiedCasters || settings.flatTolerance != 0.0)
         return nullptr;
-    auto records = std::make_unique<const UncutRecords>(
-        uncutRecords(batch, uncut.cutter.whole().materials, settings.castMasked));
-    uncut.ofWhole.emplace(&geometry, records->shadow);
-    if (records->canFollowCuts()) found->second = std::move(records);
+    UncutRecords records = uncutRecords(batch, uncut.cutter.whole().materials, settings.castMasked);
+    uncut.ofWhole.emplace(&geometry, records.shadow);
+    if (records.canFollowCuts())
+        found->second = std::make_unique<FollowedGeometry>(FollowedGeometry{std::move(records)});
     return found->second.get();
 }
 
@@ -40,9 +40,10 @@ std::shared_ptr<const PlanePairShadow> recordsOf(UncutScene& uncut, const Loaded
     const std::vector<Material>& materials = loaded.scene.materials;
     const Batch &batch = loaded.scene.batches[i], &whole = uncut.cutter.whole().batches[i];
     if (const CutOrigins& origins = uncut.cutter.origins()[i]; !origins.ofTriangle.empty())
-        if (const UncutRecords* const followed = followedOf(uncut, whole, settings))
-            return std::make_shared<const PlanePairShadow>(
-                cutRecords(*followed, *batch.geometry, origins, materials, settings.castMasked));
+        if (FollowedGeometry* const followed = followedOf(uncut, whole, settings))
+            return followed->made.share(cutRecords(followed->uncut, *batch.geometry, origins,
+                                                   materials, settings.castMasked,
+                                                   followed->made.take()));
     const Casters casters = castersOf(batch, materials, settings.castMasked);
     auto records = std::make_shared<const PlanePairShadow>(
         buildPlanePairs(batch, casters, materials, settings.flatTolerance));
@@ -81,6 +82,11 @@ void cutScene(LoadedScene& loaded, const Section& section) {
         const auto found = known.find(&*loaded.scene.batches[i].geometry);
         return found != known.end() ? found->second : recordsOf(uncut, loaded, i);
     });
+    for (std::size_t i = 0; i < loaded.planePairs.size(); ++i)
+        if (uncut.cutter.origins()[i].ofTriangle.empty())
+            if (const auto found = uncut.followed.find(&*uncut.cutter.whole().batches[i].geometry);
+                found != uncut.followed.end() && found->second)
+                found->second->made.clear();
     uncut.last.clear();
     for (std::size_t i = 0; i < loaded.planePairs.size(); ++i)
         uncut.last.emplace_back(loaded.scene.batches[i].geometry, loaded.planePairs[i]);
