@@ -76,7 +76,7 @@ void CutWriter::addPart(const SurfaceGroup& group, std::size_t material, bool aw
         for (; piece != pieces_.end() && piece->source == t; ++piece) {
             if (piece->away != away) continue;
             addSourceOf(t);
-            add(piece->corners, CutOrigins::piece);
+            add(piece->corners, CutOrigins::piece + t);
         }
     }
     end();
@@ -88,7 +88,7 @@ void CutWriter::addFill(std::span<const CutTriangle> fill, std::size_t material)
     for (const CutTriangle& piece : fill) {
         if (piece.away) continue;
         addSource(to_, -1);
-        add(piece.corners, CutOrigins::piece);
+        add(piece.corners, CutOrigins::fill);
     }
     end();
 }

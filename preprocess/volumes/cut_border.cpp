@@ -12,9 +12,8 @@ namespace {
 std::vector<std::uint32_t> edgesOfCut(const UncutRecords& uncut,
                                       const std::vector<std::uint32_t>& met) {
     std::vector<std::uint32_t> edges;
-    for (const std::uint32_t triangle : met)
-        if (const std::uint32_t cap = uncut.capOf[triangle]; cap != UncutRecords::none)
-            edges.insert(edges.end(), uncut.edgesOf[cap].begin(), uncut.edgesOf[cap].end());
+    for (const std::uint32_t cap : met)
+        edges.insert(edges.end(), uncut.edgesOf[cap].begin(), uncut.edgesOf[cap].end());
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     return edges;
@@ -91,13 +90,13 @@ bool areBalanced(const EdgeList& edges) {
 
 } // namespace
 
-CutBorder cutBorder(const UncutRecords& uncut, const std::vector<std::uint32_t>& met,
-                    const CutCaps& caps) {
+CutBorder cutBorder(const UncutRecords& uncut, const CutCaps& caps, const CutCaps::Kind& kind) {
     CutBorder border;
-    border.replaced = edgesOfCut(uncut, met);
+    if (kind.pieces.empty() && kind.met.empty()) return border;
+    border.replaced = edgesOfCut(uncut, kind.met);
     const std::vector<Neighbour> neighbours = neighboursOf(uncut, border.replaced, caps);
-    border.mesh = weldedOf(uncut, caps.pieces, neighbours);
-    const std::size_t pieces = caps.pieces.size(); // all have an area, so that none is dropped
+    border.mesh = weldedOf(uncut, kind.pieces, neighbours);
+    const std::size_t pieces = kind.pieces.size(); // all have an area, so that none is dropped
     border.edges = edgesWhere(buildEdges(border.mesh, {1}), [&](const Opposite& of) {
         if (of.triangle < pieces) return true;
         const Triangle& corners = border.mesh.triangles[of.triangle];
@@ -107,7 +106,7 @@ CutBorder cutBorder(const UncutRecords& uncut, const std::vector<std::uint32_t>&
     });
     border.balanced = areBalanced(border.edges);
     border.planes = trianglePlanes(border.mesh, border.edges, 0.0, {1});
-    for (const CutCaps::Piece& piece : caps.pieces)
+    for (const CutCaps::Piece& piece : kind.pieces)
         border.capOf.push_back(piece.cap);
     for (std::size_t i = 0; i < neighbours.size(); ++i) {
         border.capOf.push_back(caps.capOf[neighbours[i].cap]);

@@ -7,8 +7,8 @@
 
 namespace edgeshade {
 
-/// The triangles and edges of a cut geometry at which its topology is found again: pieces and
-/// fills, and the sides at which other caps meet them.
+/// The triangles and edges of one kind of a cut geometry's caps at which its topology is found
+/// again: pieces and fills, and the sides at which other caps meet them.
 struct CutBorder {
     WeldedMesh mesh;                  ///< pieces, and caps that share an edge with a cut cap
     std::vector<std::uint32_t> capOf; ///< by triangle of the mesh, as cut
@@ -21,8 +21,7 @@ struct CutBorder {
         true; ///< each of `edges` has as many triangles in one direction as in the other
 };
 
-/// `met`: as in CutOrigins.
-CutBorder cutBorder(const UncutRecords& uncut, const std::vector<std::uint32_t>& met,
-                    const CutCaps& caps);
+/// `kind`: one of `caps`.
+CutBorder cutBorder(const UncutRecords& uncut, const CutCaps& caps, const CutCaps::Kind& kind);
 
 } // namespace edgeshade

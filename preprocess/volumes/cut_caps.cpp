@@ -1,95 +1,171 @@
 #include "preprocess/volumes/cut_caps.hpp"
 
-#include <optional>
-
 namespace edgeshade {
 namespace {
+
+/// A part of the caps: of one kind, on one or two sides, visible or away. Parts are in the order of
+/// these numbers.
+using PartNumber = std::uint8_t;
+constexpr std::size_t partsOfKind = 4, partCount = CutCaps::kindCount * partsOfKind;
+constexpr std::uint8_t doubleSidedPart = 2, awayPart = 1;
 
 /// A piece as a caster of the cut geometry.
 struct PieceCaster {
     std::array<glm::vec3, 3> corners;
-    std::uint32_t number = 0; ///< among casters with an area
+    std::uint32_t number; ///< among casters with an area
+    std::uint32_t origin; ///< as in CutOrigins
+    PartNumber part;      ///< within its kind
 };
 
 /// The casters of the cut geometry: their numbers, without triangles that welding drops.
-struct Numbers {
-    std::vector<std::uint32_t> ofCap; ///< by cap before the cut; or none
+struct NumberedCasters {
+    std::vector<std::uint32_t> ofCap; ///< by cap before the cut; or UncutRecords::none
     std::vector<PieceCaster> pieces;
     std::uint32_t firstAway = 0, end = 0;
-    std::uint32_t singleSided = 0;
-    std::optional<std::size_t> material, awayMaterial; ///< one that is visible, one that is not
+    std::array<std::size_t, 2> materials{}; ///< one that is visible, one that is cut away
 };
 
-Numbers numbersOf(const UncutRecords& uncut, const Geometry& cut, const CutOrigins& origins,
-                  const std::vector<Material>& materials, bool castMasked) {
-    Numbers numbers;
-    numbers.ofCap.assign(uncut.shadow->caps.size(), UncutRecords::none);
+NumberedCasters numberedCasters(const UncutRecords& uncut, const Geometry& cut,
+                                const CutOrigins& origins, const std::vector<Material>& materials,
+                                bool castMasked) {
+    NumberedCasters casters;
+    casters.ofCap.assign(uncut.shadow->caps.size(), UncutRecords::none);
     std::uint32_t next = 0;
+    bool anyAway = false;
     for (const SurfaceGroup& group : cut.groups) {
         const Material& material = materials[group.material];
         if (!material.casts(castMasked)) continue;
-        if (!material.isSeen() && !numbers.awayMaterial) {
-            numbers.awayMaterial = group.material;
-            numbers.firstAway = next;
-        }
-        if (!numbers.material) numbers.material = group.material;
-        const std::uint32_t first = group.firstIndex / 3, before = next;
+        const bool away = !material.isSeen();
+        if (away && !anyAway) casters.firstAway = next;
+        anyAway = anyAway || away;
+        casters.materials[away] = group.material;
+        const auto part = static_cast<PartNumber>((material.doubleSided ? doubleSidedPart : 0) |
+                                                  (away ? awayPart : 0));
+        const std::uint32_t first = group.firstIndex / 3;
         for (std::uint32_t t = first; t < first + group.indexCount / 3; ++t) {
-            if (const std::uint32_t origin = origins.ofTriangle[t]; origin != CutOrigins::piece) {
+            const std::uint32_t origin = origins.ofTriangle[t];
+            if (origin < CutOrigins::piece) {
                 const std::uint32_t cap = uncut.capOf[origin];
-                if (cap != UncutRecords::none) numbers.ofCap[cap] = next++;
+                if (cap != UncutRecords::none) casters.ofCap[cap] = next++;
                 continue;
             }
             const std::uint32_t* const corner = &cut.indices[std::size_t{3} * t];
-            const std::array<glm::vec3, 3> corners = {
-                cut.positions[corner[0]], cut.positions[corner[1]], cut.positions[corner[2]]};
-            if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
-                numbers.pieces.push_back({corners, next++});
+            const std::array<glm::vec3, 3> at = {cut.positions[corner[0]], cut.positions[corner[1]],
+                                                 cut.positions[corner[2]]};
+            if (at[0] != at[1] && at[1] != at[2] && at[2] != at[0])
+                casters.pieces.push_back({at, next++, origin, part});
         }
-        if (!material.doubleSided) numbers.singleSided += next - before;
     }
-    numbers.end = next;
-    if (!numbers.awayMaterial) numbers.firstAway = next;
-    return numbers;
+    casters.end = next;
+    if (!anyAway) casters.firstAway = next;
+    return casters;
 }
 
-/// Adds the caps whose numbers are in [first, end), and their group.
-void addPart(const UncutRecords& uncut, const Numbers& numbers, std::uint32_t first,
-             std::uint32_t end, std::size_t material, CutCaps& to) {
-    if (first == end) return;
-    const auto isOfPart = [&](std::uint32_t number) { return number >= first && number < end; };
-    const auto firstCap = static_cast<std::uint32_t>(to.caps.size());
-    const std::vector<CapRecord>& before = uncut.shadow->caps;
-    for (std::size_t cap = 0; cap < before.size(); ++cap) {
-        if (!isOfPart(numbers.ofCap[cap])) continue;
-        to.capOf[cap] = static_cast<std::uint32_t>(to.caps.size());
-        to.caps.push_back(before[cap]);
-        to.capTriangles.push_back(numbers.ofCap[cap]);
+/// The component of a piece.
+std::uint32_t componentOf(const UncutRecords& uncut, const PieceCaster& piece) {
+    return uncut.componentOf[uncut.capOf[piece.origin - CutOrigins::piece]];
+}
+
+/// The kind of each component.
+std::vector<std::uint8_t> kindsOf(const UncutRecords& uncut, const std::vector<std::uint32_t>& met,
+                                  const NumberedCasters& casters, std::uint8_t cutKind) {
+    std::vector<std::uint8_t> kinds;
+    for (const std::uint8_t closed : uncut.closed)
+        kinds.push_back(closed != 0 ? CutCaps::closed : CutCaps::open);
+    for (const std::uint32_t triangle : met)
+        if (const std::uint32_t cap = uncut.capOf[triangle]; cap != UncutRecords::none)
+            if (std::uint8_t& kind = kinds[uncut.componentOf[cap]]; kind == CutCaps::closed)
+                kind = cutKind;
+    if (casters.firstAway == casters.end) return kinds;
+    for (std::size_t cap = 0; cap < casters.ofCap.size(); ++cap)
+        if (casters.ofCap[cap] != UncutRecords::none && casters.ofCap[cap] >= casters.firstAway)
+            kinds[uncut.componentOf[cap]] = CutCaps::tested;
+    for (const PieceCaster& piece : casters.pieces)
+        if ((piece.part & awayPart) != 0) kinds[componentOf(uncut, piece)] = CutCaps::tested;
+    return kinds;
+}
+
+/// The ranges of parts, and where the next cap of each goes.
+struct PartRanges {
+    std::array<std::uint32_t, partCount> count{}, first{}, next{};
+
+    void settle() {
+        std::uint32_t sum = 0;
+        for (std::size_t i = 0; i < partCount; ++i) {
+            first[i] = next[i] = sum;
+            sum += count[i];
+        }
     }
-    for (const PieceCaster& piece : numbers.pieces) {
-        if (!isOfPart(piece.number)) continue;
-        const auto cap = static_cast<std::uint32_t>(to.caps.size());
-        to.pieces.push_back({piece.corners, cap});
-        to.caps.push_back({piece.corners[0], piece.corners[1], piece.corners[2], glm::vec4(0.0f)});
-        to.capTriangles.push_back(piece.number);
+};
+
+/// Sets the ranges of kinds, and their groups.
+void addKinds(const PartRanges& ranges, const NumberedCasters& casters, CutCaps& to) {
+    for (std::size_t k = 0; k < CutCaps::kindCount; ++k) {
+        CutCaps::Kind& kind = to.kinds[k];
+        kind.caps.first = ranges.first[k * partsOfKind];
+        for (std::size_t part = 0; part < partsOfKind; ++part) {
+            const std::size_t i = k * partsOfKind + part;
+            kind.caps.count += ranges.count[i];
+            if ((part & doubleSidedPart) == 0) kind.singleSided += ranges.count[i];
+            if (k == CutCaps::tested && ranges.count[i] > 0)
+                kind.groups.push_back(
+                    {casters.materials[part & awayPart], ranges.first[i], ranges.count[i]});
+        }
+        if (k != CutCaps::tested && kind.caps.count > 0) // all are opaque
+            kind.groups.push_back({casters.materials[0], kind.caps.first, kind.caps.count});
     }
-    to.groups.push_back(
-        {material, firstCap, static_cast<std::uint32_t>(to.caps.size()) - firstCap});
 }
 
 } // namespace
 
 void findCaps(const UncutRecords& uncut, const Geometry& cut, const CutOrigins& origins,
-              const std::vector<Material>& materials, bool castMasked, CutCaps& made) {
-    const Numbers numbers = numbersOf(uncut, cut, origins, materials, castMasked);
-    made.capOf.assign(numbers.ofCap.size(), UncutRecords::none);
-    made.caps.reserve(numbers.end);
-    made.capTriangles.reserve(numbers.end);
-    made.pieces.reserve(numbers.pieces.size());
-    addPart(uncut, numbers, 0, numbers.firstAway, numbers.material.value_or(0), made);
-    addPart(uncut, numbers, numbers.firstAway, numbers.end, numbers.awayMaterial.value_or(0), made);
-    made.away = numbers.end - numbers.firstAway;
-    made.singleSided = numbers.singleSided;
+              const std::vector<Material>& materials, bool castMasked, std::uint8_t cutKind,
+              CutCaps& caps) {
+    const NumberedCasters casters = numberedCasters(uncut, cut, origins, materials, castMasked);
+    const std::vector<std::uint8_t> kinds = kindsOf(uncut, origins.met, casters, cutKind);
+    const PlanePairShadow& before = *uncut.shadow;
+
+    PartRanges ranges;
+    std::vector<PartNumber> partOf(before.caps.size()); // by cap before
+    for (const ShadowCluster& cluster : before.clusters)
+        for (std::uint32_t i = 0; i < cluster.caps.count; ++i) {
+            const std::uint32_t cap = cluster.caps.first + i;
+            const std::uint32_t number = casters.ofCap[cap];
+            if (number == UncutRecords::none) continue;
+            partOf[cap] = static_cast<PartNumber>(kinds[uncut.componentOf[cap]] * partsOfKind +
+                                                  (i < cluster.singleSided ? 0 : doubleSidedPart) +
+                                                  (number < casters.firstAway ? 0 : awayPart));
+            ++ranges.count[partOf[cap]];
+        }
+    const auto kindOf = [&](const PieceCaster& piece) -> std::size_t {
+        return piece.origin == CutOrigins::fill ? cutKind : kinds[componentOf(uncut, piece)];
+    };
+    for (const PieceCaster& piece : casters.pieces)
+        ++ranges.count[kindOf(piece) * partsOfKind + piece.part];
+    ranges.settle();
+    caps.kinds = {};
+    addKinds(ranges, casters, caps);
+
+    caps.capOf.assign(before.caps.size(), UncutRecords::none);
+    caps.caps.resize(casters.end);
+    caps.capTriangles.resize(casters.end);
+    for (std::size_t cap = 0; cap < before.caps.size(); ++cap) {
+        if (casters.ofCap[cap] == UncutRecords::none) continue;
+        const std::uint32_t to = ranges.next[partOf[cap]]++;
+        caps.capOf[cap] = to;
+        caps.caps[to] = before.caps[cap];
+        caps.capTriangles[to] = casters.ofCap[cap];
+    }
+    for (const PieceCaster& piece : casters.pieces) {
+        const std::size_t kind = kindOf(piece);
+        const std::uint32_t to = ranges.next[kind * partsOfKind + piece.part]++;
+        caps.kinds[kind].pieces.push_back({piece.corners, to});
+        caps.caps[to] = {piece.corners[0], piece.corners[1], piece.corners[2], glm::vec4(0.0f)};
+        caps.capTriangles[to] = piece.number;
+    }
+    for (const std::uint32_t triangle : origins.met)
+        if (const std::uint32_t cap = uncut.capOf[triangle]; cap != UncutRecords::none)
+            caps.kinds[kinds[uncut.componentOf[cap]]].met.push_back(cap);
 }
 
 } // namespace edgeshade

@@ -41,35 +41,43 @@ PlaneOf planeAt(std::uint32_t cap, PlaneOf before) {
     return {2 * cap + (before.negated() ? 1u : 0u)};
 }
 
-/// Copies the records of edges whose caps all stay as they were.
-void addUnchanged(const UncutRecords& uncut, const CutBorder& border,
-                  const std::vector<std::uint32_t>& capOf, PlanePairShadow& to) {
+/// Copies the records of edges whose caps all stay as they were, and are among `caps`.
+void addUnchanged(const UncutRecords& uncut, const std::vector<std::uint32_t>& replaced,
+                  const std::vector<std::uint32_t>& capOf, const RecordRange& caps,
+                  PlanePairShadow& to) {
     const PlanePairShadow& from = *uncut.shadow;
-    const UncutRecords::OfEdge skipped = crowdedOf(uncut, border.replaced);
+    const UncutRecords::OfEdge skipped = crowdedOf(uncut, replaced);
+    const auto isOneOf = [&](std::uint32_t cap) { return cap - caps.first < caps.count; };
     forOthers(from.pairs.size(), skipped.pairs, [&](std::size_t i) {
         const auto& [first, second] = from.pairPlanes[i];
         const std::uint32_t cap = capOf[first.cap()], other = capOf[second.cap()];
-        if (cap == UncutRecords::none || other == UncutRecords::none) return;
+        if (!isOneOf(cap) || !isOneOf(other)) return; // nor is UncutRecords::none
         to.pairs.push_back(from.pairs[i]);
         to.pairPlanes.push_back({planeAt(cap, first), planeAt(other, second)});
     });
     forOthers(from.singles.size(), skipped.singles, [&](std::size_t i) {
         const std::uint32_t cap = capOf[from.singlePlanes[i].cap()];
-        if (cap == UncutRecords::none) return;
+        if (!isOneOf(cap)) return;
         to.singles.push_back(from.singles[i]);
         to.singlePlanes.push_back(planeAt(cap, from.singlePlanes[i]));
     });
 }
 
-/// Counts the edges whose caps all stay as they were, and those of them without a record.
-void countUnchanged(const UncutRecords& uncut, const CutBorder& border,
-                    const std::vector<std::uint32_t>& capOf, PlanePairShadow& to) {
+/// Counts the edges that list a cap first which stays as it was, and those of them without a
+/// record.
+void countUncut(const UncutRecords& uncut, const std::vector<std::uint32_t>& capOf,
+                PlanePairShadow& to) {
     for (std::size_t cap = 0; cap < capOf.size(); ++cap)
         if (capOf[cap] != UncutRecords::none) {
             to.edges += uncut.edgesFrom[cap];
             to.flatEdges += uncut.flatFrom[cap];
         }
-    for (const std::uint32_t edge : border.replaced)
+}
+
+/// Takes edges that are replaced from the counts.
+void discountReplaced(const UncutRecords& uncut, const std::vector<std::uint32_t>& replaced,
+                      const std::vector<std::uint32_t>& capOf, PlanePairShadow& to) {
+    for (const std::uint32_t edge : replaced)
         if (capOf[uncut.capsOf(edge).front()] != UncutRecords::none) {
             --to.edges;
             to.flatEdges -= uncut.flat[edge];
@@ -98,26 +106,34 @@ void addBorder(const CutBorder& border, PlanePairShadow& to) {
     to.flatEdges += writer.flatEdges;
 }
 
+/// The records of `records` after `range`.
 template <class Record>
-RecordRange allOf(const std::vector<Record>& records) {
-    return {0, static_cast<std::uint32_t>(records.size())};
+RecordRange restAfter(const RecordRange& range, const std::vector<Record>& records) {
+    return {range.end(), static_cast<std::uint32_t>(records.size()) - range.end()};
 }
 
-void addCluster(bool closed, const CutCaps& caps, PlanePairShadow& to) {
+/// Adds the cluster of a kind, whose records are the last ones.
+void addCluster(const CutCaps::Kind& kind, bool closed, bool alphaTested, PlanePairShadow& to) {
+    const ShadowCluster last = to.clusters.empty() ? ShadowCluster() : to.clusters.back();
+    to.groups.insert(to.groups.end(), kind.groups.begin(), kind.groups.end());
     ShadowCluster cluster;
-    cluster.alphaTested = caps.away > 0;
-    cluster.closed = closed && !cluster.alphaTested;
+    cluster.closed = closed;
+    cluster.alphaTested = alphaTested;
     cluster.components = ShadowCluster::uncounted;
-    cluster.pairs = allOf(to.pairs);
-    cluster.singles = allOf(to.singles);
-    cluster.caps = allOf(to.caps);
-    cluster.singleSided = caps.singleSided;
-    cluster.groups = allOf(to.groups);
-    cluster.leaves = {0, (cluster.caps.count + leafTriangles - 1) / leafTriangles};
+    cluster.pairs = restAfter(last.pairs, to.pairs);
+    cluster.singles = restAfter(last.singles, to.singles);
+    cluster.caps = kind.caps;
+    cluster.singleSided = kind.singleSided;
+    cluster.groups = restAfter(last.groups, to.groups);
+    cluster.leaves = {last.leaves.end(), (kind.caps.count + leafTriangles - 1) / leafTriangles};
     to.clusters.push_back(cluster);
+}
+
+void addBoxes(PlanePairShadow& to) {
     addLeaves({1}, to);
-    for (const Box& leaf : to.leaves)
-        to.clusters.front().bounds.add(leaf);
+    for (ShadowCluster& cluster : to.clusters)
+        for (std::uint32_t leaf = cluster.leaves.first; leaf < cluster.leaves.end(); ++leaf)
+            cluster.bounds.add(to.leaves[leaf]);
 }
 
 /// The records without any, but for the memory of their arrays.
@@ -131,8 +147,6 @@ PlanePairShadow emptied(PlanePairShadow records) {
     keep(records.pairPlanes, empty.pairPlanes);
     keep(records.singles, empty.singles);
     keep(records.singlePlanes, empty.singlePlanes);
-    keep(records.caps, empty.caps);
-    keep(records.capTriangles, empty.capTriangles);
     keep(records.leaves, empty.leaves);
     return empty;
 }
@@ -142,28 +156,38 @@ PlanePairShadow emptied(PlanePairShadow records) {
 PlanePairShadow cutRecords(const UncutRecords& uncut, const Geometry& cut,
                            const CutOrigins& origins, const std::vector<Material>& materials,
                            bool castMasked, PlanePairShadow spare) {
-    PlanePairShadow made = emptied(std::move(spare));
     CutCaps caps;
-    caps.caps = std::move(made.caps);
-    caps.capTriangles = std::move(made.capTriangles);
-    findCaps(uncut, cut, origins, materials, castMasked, caps);
-    if (caps.caps.empty()) return made;
-    const CutBorder border = cutBorder(uncut, origins.met, caps);
-    for (std::size_t i = 0; i < caps.pieces.size(); ++i)
-        caps.caps[caps.pieces[i].cap].plane = border.planes[i];
+    caps.caps = std::move(spare.caps);
+    caps.capTriangles = std::move(spare.capTriangles);
+    std::array<CutBorder, CutCaps::kindCount> borders;
+    const auto find = [&](std::uint8_t cutKind) {
+        findCaps(uncut, cut, origins, materials, castMasked, cutKind, caps);
+        for (std::size_t k = 0; k < CutCaps::kindCount; ++k)
+            borders[k] = cutBorder(uncut, caps, caps.kinds[k]);
+    };
+    find(CutCaps::closed);
+    if (!borders[CutCaps::closed].balanced) find(CutCaps::open);
+
+    PlanePairShadow made = emptied(std::move(spare));
+    made.pairs.reserve(uncut.shadow->pairs.size());
+    made.pairPlanes.reserve(uncut.shadow->pairs.size());
+    countUncut(uncut, caps.capOf, made);
+    for (std::size_t k = 0; k < CutCaps::kindCount; ++k) {
+        const CutCaps::Kind& kind = caps.kinds[k];
+        if (kind.caps.count == 0) continue;
+        const CutBorder& border = borders[k];
+        for (std::size_t i = 0; i < kind.pieces.size(); ++i)
+            caps.caps[kind.pieces[i].cap].plane = border.planes[i];
+        discountReplaced(uncut, border.replaced, caps.capOf, made);
+        addUnchanged(uncut, border.replaced, caps.capOf, kind.caps, made);
+        addBorder(border, made);
+        addCluster(kind, k == CutCaps::closed, k == CutCaps::tested, made);
+    }
     made.caps = std::move(caps.caps);
     made.capTriangles = std::move(caps.capTriangles);
-    made.groups = std::move(caps.groups);
-
-    const std::size_t borderPairs = border.edges.opposites.size() / 2;
-    made.pairs.reserve(uncut.shadow->pairs.size() + borderPairs);
-    made.pairPlanes.reserve(uncut.shadow->pairs.size() + borderPairs);
-    addUnchanged(uncut, border, caps.capOf, made);
-    countUnchanged(uncut, border, caps.capOf, made);
-    addBorder(border, made);
     // Each edge of n triangles has n / 2 pairs, and a single if n is odd.
     made.flatPairs = (3 * made.caps.size() - made.singles.size()) / 2 - made.pairs.size();
-    addCluster(uncut.shadow->clusters.front().closed && border.balanced, caps, made);
+    addBoxes(made);
     return made;
 }
 

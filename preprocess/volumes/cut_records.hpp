@@ -7,8 +7,9 @@ namespace edgeshade {
 
 /// The records of a geometry that a section cuts. Records away from the cut are those of the uncut
 /// geometry; only edges of triangles that planes meet, and of fills, are found again. They count
-/// for every light as buildPlanePairs()'s do (docs/method/sections.md, C51). All are one cluster,
-/// which is closed if its edges are, and whose components aren't counted.
+/// for every light as buildPlanePairs()'s do (docs/method/sections.md, C51). Each kind of CutCaps
+/// is one cluster, whose components aren't counted. That of closed components counts as closed if
+/// the cut left all of its edges closed.
 ///
 /// `uncut`: canFollowCuts(). `cut`: the geometry as cut, of these origins; `materials`: of the cut
 /// scene. `spare`: records that are no longer needed, for the memory of their arrays.

@@ -89,10 +89,11 @@ void findCrowded(const WeldedMesh& mesh, const EdgeList& edges, UncutRecords& to
 } // namespace
 
 bool UncutRecords::canFollowCuts() const {
-    if (shadow->clusters.size() != 1) return false;
-    const ShadowCluster& cluster = shadow->clusters.front();
-    return !cluster.alphaTested &&
-           (cluster.singleSided == 0 || cluster.singleSided == cluster.caps.count);
+    const std::vector<ShadowCluster>& clusters = shadow->clusters;
+    return std::none_of(clusters.begin(), clusters.end(),
+                        [](const ShadowCluster& of) { return of.alphaTested; }) &&
+           (clusters.size() < 2 ||
+            (clusters.size() == 2 && clusters[0].closed && !clusters[1].closed));
 }
 
 UncutRecords uncutRecords(const Batch& batch, const std::vector<Material>& materials,
@@ -105,6 +106,7 @@ UncutRecords uncutRecords(const Batch& batch, const std::vector<Material>& mater
         std::make_shared<const PlanePairShadow>(buildPlanePairs(mesh, edges, materials, 0.0));
     const PlanePairShadow& shadow = *made.shadow;
 
+    const Components components = findComponents(mesh.welded, edges);
     const std::vector<std::uint32_t> casting =
         castingTriangles(*batch.geometry, materials, castMasked);
     made.capOf.assign(batch.geometry->indices.size() / 3, UncutRecords::none);
@@ -115,7 +117,9 @@ UncutRecords uncutRecords(const Batch& batch, const std::vector<Material>& mater
         capOf[triangle] = cap;
         planes[triangle] = shadow.caps[cap].plane;
         made.capOf[casting[mesh.welded.source[triangle]]] = cap;
+        made.componentOf.push_back(components.ofTriangle[triangle]);
     }
+    made.closed = components.closed;
     addEdges(mesh.welded, edges, capOf, made);
     countEdges(edges, planes, made);
     findCrowded(mesh.welded, edges, made);

@@ -23,7 +23,9 @@ struct UncutRecords {
     };
 
     std::shared_ptr<const PlanePairShadow> shadow;
-    std::vector<std::uint32_t> capOf; ///< by triangle of the geometry; none: it doesn't cast
+    std::vector<std::uint32_t> capOf;       ///< by triangle of the geometry; none: it doesn't cast
+    std::vector<std::uint32_t> componentOf; ///< by cap
+    std::vector<std::uint8_t> closed;       ///< by component
     /// For each cap the edges from a to b, from b to c and from c to a.
     std::vector<std::array<std::uint32_t, 3>> edgesOf;
     std::vector<RecordRange> capsOfEdge;     ///< for each edge its caps, in `edgeCaps`
@@ -37,8 +39,8 @@ struct UncutRecords {
         return std::span(edgeCaps).subspan(capsOfEdge[edge].first, capsOfEdge[edge].count);
     }
 
-    /// Whether cutRecords() applies: the casters are one cluster, opaque, and all or none of them
-    /// single-sided.
+    /// Whether cutRecords() applies: all casters are opaque, those of closed components are in one
+    /// cluster, and so are the others.
     bool canFollowCuts() const;
 };
 
