@@ -1,5 +1,6 @@
 #include "preprocess/volumes/uncut_records.hpp"
 
+#include "preprocess/volumes/clustering.hpp"
 #include "preprocess/volumes/opposite_pairs.hpp"
 
 #include <algorithm>
@@ -90,10 +91,13 @@ void findCrowded(const WeldedMesh& mesh, const EdgeList& edges, UncutRecords& to
 
 bool UncutRecords::canFollowCuts() const {
     const std::vector<ShadowCluster>& clusters = shadow->clusters;
-    return std::none_of(clusters.begin(), clusters.end(),
-                        [](const ShadowCluster& of) { return of.alphaTested; }) &&
-           (clusters.size() < 2 ||
-            (clusters.size() == 2 && clusters[0].closed && !clusters[1].closed));
+    std::array<std::size_t, 2> ofKind{}; // open, closed
+    for (const ShadowCluster& cluster : clusters) {
+        if (cluster.alphaTested) return false;
+        ++ofKind[cluster.closed];
+    }
+    constexpr std::size_t mostMerged = 8 * clusterTriangles;
+    return (ofKind[0] <= 1 && ofKind[1] <= 1) || shadow->caps.size() <= mostMerged;
 }
 
 UncutRecords uncutRecords(const Batch& batch, const std::vector<Material>& materials,

@@ -39,8 +39,9 @@ struct UncutRecords {
         return std::span(edgeCaps).subspan(capsOfEdge[edge].first, capsOfEdge[edge].count);
     }
 
-    /// Whether cutRecords() applies: all casters are opaque, those of closed components are in one
-    /// cluster, and so are the others.
+    /// Whether cutRecords() applies: all casters are opaque, and their clusters may be merged into
+    /// one of closed and one of open components, because they are such already or because they are
+    /// small.
     bool canFollowCuts() const;
 };
 
