@@ -47,20 +47,30 @@ std::vector<Neighbour> neighboursOf(const UncutRecords& uncut,
     return joined;
 }
 
-/// Welds the pieces, then the neighbours.
-WeldedMesh weldedOf(const UncutRecords& uncut, const std::vector<CutCaps::Piece>& pieces,
+/// Welds the pieces, then the neighbours. The cut geometry begins with the vertices of the uncut
+/// one.
+WeldedMesh weldedOf(const UncutRecords& uncut, const std::vector<glm::vec3>& positions,
+                    const std::vector<CutCaps::Piece>& pieces,
                     const std::vector<Neighbour>& neighbours) {
-    std::vector<glm::vec3> corners;
-    corners.reserve(3 * (pieces.size() + neighbours.size()));
+    // Few of the vertices are here, most of them in several triangles.
+    std::vector<std::uint32_t> numberOf(positions.size(), UncutRecords::none);
+    std::vector<glm::vec3> used;
+    std::vector<std::uint32_t> indices;
+    indices.reserve(3 * (pieces.size() + neighbours.size()));
+    const auto add = [&](const Triangle& vertices) {
+        for (const std::uint32_t vertex : vertices) {
+            if (numberOf[vertex] == UncutRecords::none) {
+                numberOf[vertex] = static_cast<std::uint32_t>(used.size());
+                used.push_back(positions[vertex]);
+            }
+            indices.push_back(numberOf[vertex]);
+        }
+    };
     for (const CutCaps::Piece& piece : pieces)
-        corners.insert(corners.end(), piece.corners.begin(), piece.corners.end());
-    for (const Neighbour& of : neighbours) {
-        const CapRecord& cap = uncut.shadow->caps[of.cap];
-        corners.insert(corners.end(), {cap.a, cap.b, cap.c});
-    }
-    std::vector<std::uint32_t> indices(corners.size());
-    std::iota(indices.begin(), indices.end(), 0u);
-    return weld(corners, indices, {1});
+        add(piece.vertices);
+    for (const Neighbour& of : neighbours)
+        add(uncut.vertices[of.cap]);
+    return weld(used, indices, {1});
 }
 
 /// The edges of a mesh, without the sides of triangles that `counts` refuses.
@@ -90,12 +100,13 @@ bool areBalanced(const EdgeList& edges) {
 
 } // namespace
 
-CutBorder cutBorder(const UncutRecords& uncut, const CutCaps& caps, const CutCaps::Kind& kind) {
+CutBorder cutBorder(const UncutRecords& uncut, const Geometry& cut, const CutCaps& caps,
+                    const CutCaps::Kind& kind) {
     CutBorder border;
     if (kind.pieces.empty() && kind.met.empty()) return border;
     border.replaced = edgesOfCut(uncut, kind.met);
     const std::vector<Neighbour> neighbours = neighboursOf(uncut, border.replaced, caps);
-    border.mesh = weldedOf(uncut, kind.pieces, neighbours);
+    border.mesh = weldedOf(uncut, cut.positions, kind.pieces, neighbours);
     const std::size_t pieces = kind.pieces.size(); // all have an area, so that none is dropped
     border.edges = edgesWhere(buildEdges(border.mesh, {1}), [&](const Opposite& of) {
         if (of.triangle < pieces) return true;

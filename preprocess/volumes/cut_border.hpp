@@ -21,7 +21,8 @@ struct CutBorder {
         true; ///< each of `edges` has as many triangles in one direction as in the other
 };
 
-/// `kind`: one of `caps`.
-CutBorder cutBorder(const UncutRecords& uncut, const CutCaps& caps, const CutCaps::Kind& kind);
+/// `cut`: the geometry as cut; `kind`: one of `caps`.
+CutBorder cutBorder(const UncutRecords& uncut, const Geometry& cut, const CutCaps& caps,
+                    const CutCaps::Kind& kind);
 
 } // namespace edgeshade

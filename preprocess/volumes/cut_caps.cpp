@@ -11,7 +11,7 @@ constexpr std::uint8_t doubleSidedPart = 2, awayPart = 1;
 
 /// A piece as a caster of the cut geometry.
 struct PieceCaster {
-    std::array<glm::vec3, 3> corners;
+    Triangle vertices;
     std::uint32_t number; ///< among casters with an area
     std::uint32_t origin; ///< as in CutOrigins
     PartNumber part;      ///< within its kind
@@ -50,10 +50,10 @@ NumberedCasters numberedCasters(const UncutRecords& uncut, const Geometry& cut,
                 continue;
             }
             const std::uint32_t* const corner = &cut.indices[std::size_t{3} * t];
-            const std::array<glm::vec3, 3> at = {cut.positions[corner[0]], cut.positions[corner[1]],
-                                                 cut.positions[corner[2]]};
-            if (at[0] != at[1] && at[1] != at[2] && at[2] != at[0])
-                casters.pieces.push_back({at, next++, origin, part});
+            const glm::vec3 &a = cut.positions[corner[0]], &b = cut.positions[corner[1]],
+                            &c = cut.positions[corner[2]];
+            if (a != b && b != c && c != a)
+                casters.pieces.push_back({{corner[0], corner[1], corner[2]}, next++, origin, part});
         }
     }
     casters.end = next;
@@ -159,8 +159,9 @@ void findCaps(const UncutRecords& uncut, const Geometry& cut, const CutOrigins& 
     for (const PieceCaster& piece : casters.pieces) {
         const std::size_t kind = kindOf(piece);
         const std::uint32_t to = ranges.next[kind * partsOfKind + piece.part]++;
-        caps.kinds[kind].pieces.push_back({piece.corners, to});
-        caps.caps[to] = {piece.corners[0], piece.corners[1], piece.corners[2], glm::vec4(0.0f)};
+        caps.kinds[kind].pieces.push_back({piece.vertices, to});
+        const auto& [a, b, c] = piece.vertices;
+        caps.caps[to] = {cut.positions[a], cut.positions[b], cut.positions[c], glm::vec4(0.0f)};
         caps.capTriangles[to] = piece.number;
     }
     for (const std::uint32_t triangle : origins.met)

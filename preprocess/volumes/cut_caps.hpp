@@ -14,7 +14,7 @@ namespace edgeshade {
 struct CutCaps {
     /// A piece, or a triangle of a fill.
     struct Piece {
-        std::array<glm::vec3, 3> corners;
+        Triangle vertices; ///< of the cut geometry
         std::uint32_t cap = 0;
     };
 

@@ -163,7 +163,7 @@ PlanePairShadow cutRecords(const UncutRecords& uncut, const Geometry& cut,
     const auto find = [&](std::uint8_t cutKind) {
         findCaps(uncut, cut, origins, materials, castMasked, cutKind, caps);
         for (std::size_t k = 0; k < CutCaps::kindCount; ++k)
-            borders[k] = cutBorder(uncut, caps, caps.kinds[k]);
+            borders[k] = cutBorder(uncut, cut, caps, caps.kinds[k]);
     };
     find(CutCaps::closed);
     if (!borders[CutCaps::closed].balanced) find(CutCaps::open);

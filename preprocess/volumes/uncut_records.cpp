@@ -96,7 +96,7 @@ bool UncutRecords::canFollowCuts() const {
         if (cluster.alphaTested) return false;
         ++ofKind[cluster.closed];
     }
-    constexpr std::size_t mostMerged = 8 * clusterTriangles;
+    constexpr std::size_t mostMerged = 16 * clusterTriangles;
     return (ofKind[0] <= 1 && ofKind[1] <= 1) || shadow->caps.size() <= mostMerged;
 }
 
@@ -120,7 +120,10 @@ UncutRecords uncutRecords(const Batch& batch, const std::vector<Material>& mater
         const std::uint32_t triangle = shadow.capTriangles[cap];
         capOf[triangle] = cap;
         planes[triangle] = shadow.caps[cap].plane;
-        made.capOf[casting[mesh.welded.source[triangle]]] = cap;
+        const std::uint32_t caster = mesh.welded.source[triangle];
+        made.capOf[casting[caster]] = cap;
+        made.vertices.push_back({casters.indices[3 * caster], casters.indices[3 * caster + 1],
+                                 casters.indices[3 * caster + 2]});
         made.componentOf.push_back(components.ofTriangle[triangle]);
     }
     made.closed = components.closed;

@@ -24,6 +24,7 @@ struct UncutRecords {
 
     std::shared_ptr<const PlanePairShadow> shadow;
     std::vector<std::uint32_t> capOf;       ///< by triangle of the geometry; none: it doesn't cast
+    std::vector<Triangle> vertices;         ///< by cap, of the geometry
     std::vector<std::uint32_t> componentOf; ///< by cap
     std::vector<std::uint8_t> closed;       ///< by component
     /// For each cap the edges from a to b, from b to c and from c to a.
