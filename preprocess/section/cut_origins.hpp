@@ -17,6 +17,12 @@ struct CutOrigins {
     /// `piece`; or `fill`. Empty: the geometry is the one before, or that of an earlier cut.
     std::vector<std::uint32_t> ofTriangle;
     std::vector<std::uint32_t> met; ///< triangles of the geometry before, ascending
+
+    /// Keeps the memory, since most cuts follow others like them.
+    void clear() {
+        ofTriangle.clear();
+        met.clear();
+    }
 };
 
 } // namespace edgeshade

@@ -99,13 +99,15 @@ void SceneCutter::addMaterials(const Section& section, std::vector<Material>& ma
 }
 
 Scene SceneCutter::cut(const Section& section) {
+    origins_.resize(whole_->batches.size());
+    for (CutOrigins& origins : origins_)
+        origins.clear();
     Scene scene = *whole_;
     if (section.planes.empty()) return scene;
     scene.cutFrom = CutFrom{whole_, section};
     scene.culls = false;
     addMaterials(section, scene.materials);
     const Cutting cutting{section, whole_->materials, castMasked_};
-    origins_.assign(scene.batches.size(), {});
     for (std::size_t i = 0; i < scene.batches.size(); ++i) {
         Batch& batch = scene.batches[i];
         if (!batch.ground && !batch.hidden && !batch.geometry->indices.empty())

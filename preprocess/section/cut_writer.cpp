@@ -1,6 +1,7 @@
 #include "preprocess/section/cut_writer.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace edgeshade {
 namespace {
@@ -55,29 +56,46 @@ void CutWriter::add(const std::array<std::uint32_t, 3>& corners, std::uint32_t o
     origins_.ofTriangle.push_back(origin);
 }
 
-void CutWriter::addSourceOf(std::uint32_t triangle) {
-    if (!from_.sources.empty() || !to_.sources.empty())
-        addSource(to_, nodeOf(from_, placedBy_, 3 * triangle));
+std::uint32_t CutWriter::addSourceOf(std::uint32_t triangle) {
+    constexpr std::uint32_t noEnd = std::numeric_limits<std::uint32_t>::max();
+    if (from_.sources.empty() && to_.sources.empty()) return noEnd;
+    addSource(to_, nodeOf(from_, placedBy_, 3 * triangle));
+    const auto after = std::upper_bound(
+        from_.sources.begin(), from_.sources.end(), 3 * triangle,
+        [](std::uint32_t at, const SourceNode& source) { return at < source.firstIndex; });
+    return after == from_.sources.end() ? noEnd : after->firstIndex / 3;
+}
+
+void CutWriter::addWhole(std::uint32_t first, std::uint32_t end) {
+    while (first < end) {
+        const std::uint32_t last = std::min(end, addSourceOf(first));
+        const auto corners = from_.indices.begin();
+        to_.indices.insert(to_.indices.end(), corners + std::ptrdiff_t{3} * first,
+                           corners + std::ptrdiff_t{3} * last);
+        for (; first < last; ++first)
+            origins_.ofTriangle.push_back(first);
+    }
 }
 
 void CutWriter::addPart(const SurfaceGroup& group, std::size_t material, bool away) {
-    const std::uint32_t first = group.firstIndex / 3, count = group.indexCount / 3;
+    const std::uint32_t first = group.firstIndex / 3, last = first + group.indexCount / 3;
     const TriangleFate taken = away ? TriangleFate::away : TriangleFate::kept;
     auto piece = std::lower_bound(
         pieces_.begin(), pieces_.end(), first,
         [](const CutTriangle& of, std::uint32_t source) { return of.source < source; });
     begin(material);
-    for (std::uint32_t t = first; t < first + count; ++t) {
-        if (fates_[t] == taken) {
-            addSourceOf(t);
-            const std::uint32_t* const corners = &from_.indices[std::size_t{3} * t];
-            add({corners[0], corners[1], corners[2]}, t);
-        }
+    for (std::uint32_t t = first; t < last;) {
+        const TriangleFate fate = fates_[t];
+        std::uint32_t other = t + 1;
+        while (other < last && fates_[other] == fate && fate != TriangleFate::met)
+            ++other;
+        if (fate == taken) addWhole(t, other);
         for (; piece != pieces_.end() && piece->source == t; ++piece) {
             if (piece->away != away) continue;
             addSourceOf(t);
             add(piece->corners, CutOrigins::piece + t);
         }
+        t = other;
     }
     end();
 }

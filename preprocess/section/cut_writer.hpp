@@ -33,7 +33,10 @@ class CutWriter {
     void begin(std::size_t material);
     void end();
     void add(const std::array<std::uint32_t, 3>& corners, std::uint32_t origin);
-    void addSourceOf(std::uint32_t triangle);
+    /// Adds triangles [first, end) of `from` as they are.
+    void addWhole(std::uint32_t first, std::uint32_t end);
+    /// Adds the source of a triangle of `from`; returns the end of the triangles that have it too.
+    std::uint32_t addSourceOf(std::uint32_t triangle);
 
     const Geometry& from_;
     const std::vector<TriangleFate>& fates_;

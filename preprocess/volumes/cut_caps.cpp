@@ -121,7 +121,7 @@ void addKinds(const PartRanges& ranges, const NumberedCasters& casters, CutCaps&
 void findCaps(const UncutRecords& uncut, const Geometry& cut, const CutOrigins& origins,
               const std::vector<Material>& materials, bool castMasked, std::uint8_t cutKind,
               CutCaps& caps) {
-    const NumberedCasters casters = numberedCasters(uncut, cut, origins, materials, castMasked);
+    NumberedCasters casters = numberedCasters(uncut, cut, origins, materials, castMasked);
     const std::vector<std::uint8_t> kinds = kindsOf(uncut, origins.met, casters, cutKind);
     const PlanePairShadow& before = *uncut.shadow;
 
@@ -146,15 +146,16 @@ void findCaps(const UncutRecords& uncut, const Geometry& cut, const CutOrigins& 
     caps.kinds = {};
     addKinds(ranges, casters, caps);
 
-    caps.capOf.assign(before.caps.size(), UncutRecords::none);
     caps.caps.resize(casters.end);
     caps.capTriangles.resize(casters.end);
+    caps.capOf = std::move(casters.ofCap);
     for (std::size_t cap = 0; cap < before.caps.size(); ++cap) {
-        if (casters.ofCap[cap] == UncutRecords::none) continue;
+        const std::uint32_t number = caps.capOf[cap];
+        if (number == UncutRecords::none) continue;
         const std::uint32_t to = ranges.next[partOf[cap]]++;
         caps.capOf[cap] = to;
         caps.caps[to] = before.caps[cap];
-        caps.capTriangles[to] = casters.ofCap[cap];
+        caps.capTriangles[to] = number;
     }
     for (const PieceCaster& piece : casters.pieces) {
         const std::size_t kind = kindOf(piece);
