@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 
 namespace edgeshade {
 
@@ -10,6 +11,9 @@ class CopyOnWrite {
   public:
     CopyOnWrite() : value_(std::make_shared<T>()) {}
     explicit CopyOnWrite(T value) : value_(std::make_shared<T>(std::move(value))) {}
+
+    /// A value that others may hold; they must not change it.
+    explicit CopyOnWrite(std::shared_ptr<T> value) : value_(std::move(value)) {}
 
     const T& operator*() const { return *value_; }
     const T* operator->() const { return value_.get(); }

@@ -1,5 +1,6 @@
 #include "preprocess/section/cut_scene.hpp"
 
+#include "preprocess/section/cut_writer.hpp"
 #include "preprocess/section/section_fill.hpp"
 #include "preprocess/section/solid_triangles.hpp"
 
@@ -50,46 +51,6 @@ void completeFill(Geometry& geometry, const glm::vec3& normal,
     if (!geometry.tangents.empty()) geometry.tangents.resize(count, glm::vec4(0.0f));
 }
 
-/// Collects triangles by material, with their nodes, into a geometry's indices.
-class IndexWriter {
-  public:
-    /// `placedBy`: the batch's.
-    IndexWriter(const Geometry& from, int placedBy, Geometry& to)
-        : from_(from), placedBy_(placedBy), to_(to) {
-        to_.indices.clear();
-        to_.groups.clear();
-        to_.sources.clear();
-    }
-
-    void begin(std::size_t material) {
-        to_.groups.push_back({material, static_cast<std::uint32_t>(to_.indices.size()), 0});
-    }
-    /// `source`: number of the triangle that it was.
-    void add(const std::array<std::uint32_t, 3>& corners, std::uint32_t source) {
-        if (!from_.sources.empty() || !to_.sources.empty())
-            addSource(to_, nodeOf(from_, placedBy_, 3 * source));
-        append(corners);
-    }
-    /// A triangle of no node.
-    void addFill(const std::array<std::uint32_t, 3>& corners) {
-        addSource(to_, -1);
-        append(corners);
-    }
-    void end() {
-        if (to_.groups.back().indexCount == 0) to_.groups.pop_back();
-    }
-
-  private:
-    void append(const std::array<std::uint32_t, 3>& corners) {
-        to_.indices.insert(to_.indices.end(), corners.begin(), corners.end());
-        to_.groups.back().indexCount += 3;
-    }
-
-    const Geometry& from_;
-    int placedBy_;
-    Geometry& to_;
-};
-
 /// The corners of simplified casters, cut.
 std::vector<std::uint32_t> cutIndices(const std::vector<std::uint32_t>& indices,
                                       const std::vector<glm::dvec4>& planes, Geometry& geometry) {
@@ -102,20 +63,12 @@ std::vector<std::uint32_t> cutIndices(const std::vector<std::uint32_t>& indices,
     return kept;
 }
 
-/// The pieces of triangles [first, end) of the geometry; cutting keeps their order.
-std::span<const CutTriangle> piecesOf(const std::vector<CutTriangle>& pieces, std::uint32_t first,
-                                      std::uint32_t end) {
-    const auto from = [&](std::uint32_t source) {
-        return std::lower_bound(
-            pieces.begin(), pieces.end(), source,
-            [](const CutTriangle& piece, std::uint32_t of) { return piece.source < of; });
-    };
-    return std::span(pieces).subspan(static_cast<std::size_t>(from(first) - pieces.begin()),
-                                     static_cast<std::size_t>(from(end) - from(first)));
-}
-std::span<const CutTriangle> piecesOf(const std::vector<CutTriangle>& pieces,
-                                      const SurfaceGroup& group) {
-    return piecesOf(pieces, group.firstIndex / 3, (group.firstIndex + group.indexCount) / 3);
+/// The numbers of triangles that planes meet.
+std::vector<std::uint32_t> metOf(const std::vector<TriangleFate>& fates) {
+    std::vector<std::uint32_t> met;
+    for (std::uint32_t t = 0; t < fates.size(); ++t)
+        if (fates[t] == TriangleFate::met) met.push_back(t);
+    return met;
 }
 
 } // namespace
@@ -146,19 +99,24 @@ void SceneCutter::addMaterials(const Section& section, std::vector<Material>& ma
 }
 
 Scene SceneCutter::cut(const Section& section) {
+    origins_.resize(whole_->batches.size());
+    for (CutOrigins& origins : origins_)
+        origins.clear();
     Scene scene = *whole_;
     if (section.planes.empty()) return scene;
     scene.cutFrom = CutFrom{whole_, section};
     scene.culls = false;
     addMaterials(section, scene.materials);
     const Cutting cutting{section, whole_->materials, castMasked_};
-    for (Batch& batch : scene.batches)
+    for (std::size_t i = 0; i < scene.batches.size(); ++i) {
+        Batch& batch = scene.batches[i];
         if (!batch.ground && !batch.hidden && !batch.geometry->indices.empty())
-            cutBatch(batch, cutting);
+            cutBatch(batch, cutting, origins_[i]);
+    }
     return scene;
 }
 
-void SceneCutter::cutBatch(Batch& batch, const Cutting& cutting) {
+void SceneCutter::cutBatch(Batch& batch, const Cutting& cutting, CutOrigins& origins) {
     std::vector<glm::dvec4> planes;
     for (const glm::dvec4& plane : cutting.section.planes)
         planes.push_back(planeInBatch(plane, batch.worldFromBatch));
@@ -166,6 +124,7 @@ void SceneCutter::cutBatch(Batch& batch, const Cutting& cutting) {
     const Geometry& from = *before;
     Known& known = knownOf(from);
     const BoxSide side = sideOf(known.bounds, planes);
+    if (side != BoxSide::crossed) known.made.clear();
     if (side == BoxSide::kept) return;
     batch.deformation = nullptr;
     if (side == BoxSide::away) {
@@ -178,10 +137,12 @@ void SceneCutter::cutBatch(Batch& batch, const Cutting& cutting) {
             return;
         }
     }
-    Geometry made = from;
-    made.simplifiedCasters.reset();
     if (!known.solid) known.solid = solidTriangles(from, whole_->materials);
-    GeometryCut cut(made, from.indices, *known.solid);
+    const std::vector<TriangleFate> fates = fatesOf(from, planes);
+    origins.met = metOf(fates);
+    Geometry made = known.made.take();
+    takeVertices(from, 3 * origins.met.size(), made);
+    GeometryCut cut(made, from.indices, *known.solid, origins.met);
     const auto firstFill = static_cast<std::uint32_t>(from.indices.size() / 3);
     for (const glm::dvec4& plane : planes) {
         const std::vector<CutLine> lines = cut.cut(plane, cutting.keepsAway());
@@ -192,41 +153,34 @@ void SceneCutter::cutBatch(Batch& batch, const Cutting& cutting) {
             cut.add({corners, firstFill, true, false});
     }
 
-    const std::vector<CutTriangle>& pieces = cut.triangles();
-    const std::span<const CutTriangle> fills = piecesOf(pieces, firstFill, firstFill + 1);
-    IndexWriter writer(from, batch.placedBy, made);
-    auto writeFill = [&, written = false]() mutable {
-        if (std::exchange(written, true) || fills.empty()) return;
-        writer.begin(cutting.fillMaterial());
-        for (const CutTriangle& piece : fills)
-            if (!piece.away) writer.addFill(piece.corners);
-        writer.end();
+    const std::span<const CutTriangle> pieces = cut.triangles();
+    const std::size_t parts = static_cast<std::size_t>(
+        std::find_if(pieces.begin(), pieces.end(),
+                     [&](const CutTriangle& piece) { return piece.source == firstFill; }) -
+        pieces.begin());
+    CutWriter writer(from, fates, pieces.first(parts), batch.placedBy, made, origins);
+    const auto isOpaque = [&](const SurfaceGroup& group) {
+        return cutting.materials[group.material].alphaMode == AlphaMode::opaque;
     };
-    for (const SurfaceGroup& group : from.groups) {
-        // Opaque surfaces come first.
-        if (cutting.materials[group.material].alphaMode != AlphaMode::opaque) writeFill();
-        writer.begin(group.material);
-        for (const CutTriangle& piece : piecesOf(pieces, group))
-            if (!piece.away) writer.add(piece.corners, piece.source);
-        writer.end();
-    }
-    writeFill();
+    // Opaque surfaces come first.
+    const auto firstOther = std::find_if_not(from.groups.begin(), from.groups.end(), isOpaque);
+    for (auto group = from.groups.begin(); group != firstOther; ++group)
+        writer.addPart(*group, group->material, false);
+    writer.addFill(pieces.subspan(parts), cutting.fillMaterial());
+    for (auto group = firstOther; group != from.groups.end(); ++group)
+        writer.addPart(*group, group->material, false);
     for (const bool masked : {true, false})
         for (const SurfaceGroup& group : from.groups) {
             const AlphaMode mode = cutting.materials[group.material].alphaMode;
             if ((mode == AlphaMode::mask) != masked) continue;
-            const std::optional<std::size_t> away = cutting.awayMaterial(group.material);
-            if (!away) continue;
-            writer.begin(*away);
-            for (const CutTriangle& piece : piecesOf(pieces, group))
-                if (piece.away) writer.add(piece.corners, piece.source);
-            writer.end();
+            if (const auto away = cutting.awayMaterial(group.material))
+                writer.addPart(group, *away, true);
         }
     if (from.simplifiedCasters)
         made.simplifiedCasters = cutting.keepsAway()
                                      ? *from.simplifiedCasters
                                      : cutIndices(*from.simplifiedCasters, planes, made);
-    batch.geometry = CopyOnWrite<Geometry>(std::move(made));
+    batch.geometry = CopyOnWrite<Geometry>(known.made.share(std::move(made)));
     if (side == BoxSide::away) known.away = batch.geometry;
 }
 

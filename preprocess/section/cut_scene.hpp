@@ -1,6 +1,8 @@
 #pragma once
 
+#include "preprocess/base/shared_pool.hpp"
 #include "preprocess/scene/scene.hpp"
+#include "preprocess/section/cut_origins.hpp"
 
 #include <map>
 #include <memory>
@@ -27,6 +29,10 @@ class SceneCutter {
 
     const Scene& whole() const { return *whole_; }
 
+    /// Origins of the triangles that the last cut() gave each batch; empty for those whose geometry
+    /// is of the whole scene, or the same as after an earlier cut.
+    const std::vector<CutOrigins>& origins() const { return origins_; }
+
   private:
     struct Cutting;
 
@@ -34,14 +40,16 @@ class SceneCutter {
         Box bounds;
         std::optional<std::vector<std::uint8_t>> solid; ///< by triangle; found when first cut
         std::optional<CopyOnWrite<Geometry>> away; ///< all of it cut away, and casting as a whole
+        SharedPool<Geometry> made;                 ///< cuts of it
     };
 
     Known& knownOf(const Geometry& geometry);
     void addMaterials(const Section& section, std::vector<Material>& materials) const;
-    void cutBatch(Batch& batch, const Cutting& cutting);
+    void cutBatch(Batch& batch, const Cutting& cutting, CutOrigins& origins);
 
     std::shared_ptr<const Scene> whole_;
     bool castMasked_;
+    std::vector<CutOrigins> origins_;        ///< by batch
     CopyOnWrite<Geometry> nothing_;          ///< of batches that are cut away and cast nothing
     std::map<const Geometry*, Known> known_; ///< of the whole scene
 };

@@ -1,15 +1,12 @@
 #include "preprocess/section/geometry_cut.hpp"
 
+#include "preprocess/section/plane_height.hpp"
+
 #include <algorithm>
 #include <unordered_map>
 
 namespace edgeshade {
 namespace {
-
-double heightOver(const glm::dvec4& plane, const glm::vec3& point) {
-    return plane.x * static_cast<double>(point.x) + plane.y * static_cast<double>(point.y) +
-           plane.z * static_cast<double>(point.z) + plane.w;
-}
 
 /// The position on the edge from `a`, which is kept, to `b`, which isn't: `share` of the way.
 glm::vec3 crossingOf(const glm::vec3& a, const glm::vec3& b, double share) {
@@ -31,13 +28,16 @@ glm::vec3 unit(const glm::vec3& v) {
 /// Adds vertices on cut edges, once for each edge between two vertices.
 class EdgeCutter {
   public:
-    EdgeCutter(Geometry& geometry, const std::vector<double>& heights)
-        : geometry_(geometry), heights_(heights) {}
+    EdgeCutter(Geometry& geometry, const glm::dvec4& plane) : geometry_(geometry), plane_(plane) {}
+
+    double height(std::uint32_t vertex) const {
+        return heightOver(plane_, geometry_.positions[vertex]);
+    }
 
     /// The vertex where the edge between a kept vertex and one that isn't crosses the plane; the
     /// kept vertex itself if it lies in the plane.
     std::uint32_t vertexOn(std::uint32_t kept, std::uint32_t other) {
-        if (heights_[kept] == 0.0) return kept;
+        if (height(kept) == 0.0) return kept;
         const std::uint64_t key =
             (std::uint64_t{std::min(kept, other)} << 32) | std::max(kept, other);
         const auto [found, isNew] =
@@ -49,7 +49,7 @@ class EdgeCutter {
   private:
     /// `a` is kept, so every triangle at the edge computes the same.
     void add(std::uint32_t a, std::uint32_t b) {
-        const double share = heights_[a] / (heights_[a] - heights_[b]);
+        const double from = height(a), share = from / (from - height(b));
         const auto part = static_cast<float>(share);
         geometry_.positions.push_back(
             crossingOf(geometry_.positions[a], geometry_.positions[b], share));
@@ -71,7 +71,7 @@ class EdgeCutter {
     }
 
     Geometry& geometry_;
-    const std::vector<double>& heights_;
+    const glm::dvec4& plane_;
     std::unordered_map<std::uint64_t, std::uint32_t> made_; ///< by two vertices
 };
 
@@ -90,23 +90,26 @@ double frontOver(const glm::dvec4& plane, const std::vector<glm::vec3>& position
 
 } // namespace
 
-GeometryCut::GeometryCut(Geometry& geometry, const std::vector<std::uint32_t>& indices,
-                         const std::vector<std::uint8_t>& solid)
+GeometryCut::GeometryCut(Geometry& geometry, const std::vector<std::uint32_t>& indices)
     : geometry_(geometry) {
     triangles_.reserve(indices.size() / 3);
     for (std::uint32_t i = 0; 3 * i + 2 < indices.size(); ++i)
-        triangles_.push_back({{indices[3 * i], indices[3 * i + 1], indices[3 * i + 2]},
-                              i,
-                              !solid.empty() && solid[i] != 0,
-                              false});
+        triangles_.push_back(
+            {{indices[3 * i], indices[3 * i + 1], indices[3 * i + 2]}, i, false, false});
+}
+
+GeometryCut::GeometryCut(Geometry& geometry, const std::vector<std::uint32_t>& indices,
+                         const std::vector<std::uint8_t>& solid,
+                         const std::vector<std::uint32_t>& triangles)
+    : geometry_(geometry) {
+    triangles_.reserve(triangles.size());
+    for (const std::uint32_t i : triangles)
+        triangles_.push_back(
+            {{indices[3 * i], indices[3 * i + 1], indices[3 * i + 2]}, i, solid[i] != 0, false});
 }
 
 std::vector<CutLine> GeometryCut::cut(const glm::dvec4& plane, bool keepsAway) {
-    std::vector<double> heights;
-    heights.reserve(geometry_.positions.size());
-    for (const glm::vec3& position : geometry_.positions)
-        heights.push_back(heightOver(plane, position));
-    EdgeCutter cutter(geometry_, heights);
+    EdgeCutter cutter(geometry_, plane);
     std::vector<CutLine> lines;
     const auto addLine = [&](const CutTriangle& whole, std::uint32_t from, std::uint32_t to) {
         if (whole.solid && !whole.away && geometry_.positions[from] != geometry_.positions[to])
@@ -121,12 +124,13 @@ std::vector<CutLine> GeometryCut::cut(const glm::dvec4& plane, bool keepsAway) {
             pieces.push_back(piece);
     };
     for (const CutTriangle& whole : triangles_) {
-        const auto height = [&](std::size_t c) { return heights[whole.corners[c]]; };
-        const auto isKept = [&](std::size_t c) { return height(c) >= 0.0; };
+        const std::array<double, 3> heights = {cutter.height(whole.corners[0]),
+                                               cutter.height(whole.corners[1]),
+                                               cutter.height(whole.corners[2])};
+        const auto isKept = [&](std::size_t c) { return heights[c] >= 0.0; };
         const int kept = int{isKept(0)} + int{isKept(1)} + int{isKept(2)};
         if (kept == 3 || kept == 0) {
-            const bool bounds = whole.solid && height(0) == 0.0 && height(1) == 0.0 &&
-                                height(2) == 0.0 &&
+            const bool bounds = whole.solid && heights == std::array<double, 3>{} &&
                                 frontOver(plane, geometry_.positions, whole.corners) > 0.0;
             for (std::size_t c = 0; bounds && c < 3; ++c)
                 addLine(whole, whole.corners[(c + 1) % 3], whole.corners[c]);

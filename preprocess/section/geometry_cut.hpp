@@ -28,11 +28,14 @@ struct CutLine {
 /// an edge is cut on its two end points alone, starting at the one that is kept.
 class GeometryCut {
   public:
-    /// Starts with the triangles that `indices` lists, three corners each. `solid`: by triangle;
-    /// empty: none is. New vertices are added to `geometry`, with attributes between those of an
-    /// edge's ends; it must outlive this.
+    /// Starts with the triangles that `indices` lists, three corners each; none is solid. New
+    /// vertices are added to `geometry`, with attributes between those of an edge's ends; it must
+    /// outlive this.
+    GeometryCut(Geometry& geometry, const std::vector<std::uint32_t>& indices);
+    /// Starts with some of them: `triangles`, ascending. `solid`: by triangle of `indices`.
     GeometryCut(Geometry& geometry, const std::vector<std::uint32_t>& indices,
-                const std::vector<std::uint8_t>& solid = {});
+                const std::vector<std::uint8_t>& solid,
+                const std::vector<std::uint32_t>& triangles);
 
     /// Cuts by a plane in the geometry's space. `keepsAway`: pieces that are cut away stay, with
     /// `away` set, and later planes cut them too, so that neighbours still fit; otherwise they go.

@@ -1,8 +1,10 @@
 #include "preprocess/volumes/plane_pair_data.hpp"
 
 #include "preprocess/base/prefetch.hpp"
+#include "preprocess/volumes/cap_boxes.hpp"
 #include "preprocess/volumes/clustering.hpp"
 #include "preprocess/volumes/opposite_pairs.hpp"
+#include "preprocess/volumes/side_writer.hpp"
 #include "preprocess/volumes/triangle_planes.hpp"
 
 #include <algorithm>
@@ -11,20 +13,6 @@
 
 namespace edgeshade {
 namespace {
-
-/// The box of caps [first, end).
-Box boxOf(const std::vector<CapRecord>& caps, std::size_t first, std::size_t end) {
-    glm::vec3 low = caps[first].a, high = low;
-    for (std::size_t i = first; i < end; ++i)
-        for (const glm::vec3* corner : {&caps[i].a, &caps[i].b, &caps[i].c}) {
-            low = glm::min(low, *corner);
-            high = glm::max(high, *corner);
-        }
-    Box box;
-    box.add(glm::dvec3(low));
-    box.add(glm::dvec3(high));
-    return box;
-}
 
 /// Writes the caps, in the order of clusters; returns the cap of each triangle.
 std::vector<std::uint32_t> addCaps(const WeldedMesh& mesh, const std::vector<glm::vec4>& planes,
@@ -48,78 +36,6 @@ std::vector<std::uint32_t> addCaps(const WeldedMesh& mesh, const std::vector<glm
     });
     return capOf;
 }
-
-/// Writes the records of some edges, in the order of clusters, from given positions on.
-class SideWriter {
-  public:
-    SideWriter(const WeldedMesh& mesh, const EdgeList& edges, const std::vector<glm::vec4>& planes,
-               const std::vector<std::uint32_t>& capOf)
-        : mesh_(mesh), edges_(edges), planes_(planes), capOf_(capOf) {}
-
-    std::size_t pair = 0, single = 0; ///< where the next records go
-    std::size_t flatPairs = 0, flatEdges = 0;
-
-    /// `vertices`: also filled in if the records serve all poses; then no pair is dropped.
-    void write(const Edge& edge, PlanePairShadow& shadow, RecordVertices* vertices) {
-        const std::size_t before = pair + single;
-        if (edge.oppositeCount <= 2) {
-            write(edge, onlyPair(edges_, edge), shadow, vertices);
-        } else {
-            pairUp(edges_, edge, planes_, paired_);
-            for (const OppositePair& two : paired_)
-                write(edge, two, shadow, vertices);
-        }
-        flatEdges += pair + single == before;
-    }
-
-    /// Prefetches write()'s data of an edge in two steps, the second a few edges after the first.
-    void prefetchEdge(const Edge& edge) const {
-        prefetch(edges_.opposites[edge.firstOpposite]);
-        prefetch(edges_.forward[edge.firstOpposite]);
-        prefetch(mesh_.positions[edge.a]);
-        prefetch(mesh_.positions[edge.b]);
-    }
-    void prefetchTriangles(const Edge& edge) const {
-        for (const std::uint32_t last : {0u, edge.oppositeCount - 1}) {
-            const std::uint32_t triangle = edges_.opposites[edge.firstOpposite + last].triangle;
-            prefetch(planes_[triangle]);
-            prefetch(capOf_[triangle]);
-        }
-    }
-
-  private:
-    void write(const Edge& edge, const OppositePair& two, PlanePairShadow& shadow,
-               RecordVertices* vertices) {
-        const glm::vec3 &a = mesh_.positions[edge.a], &b = mesh_.positions[edge.b];
-        const glm::vec4 plane = two.first.planeIn(planes_);
-        if (!two.second) {
-            shadow.singles[single] = {a, b, plane};
-            if (vertices) vertices->singles[single] = {edge.a, edge.b};
-            shadow.singlePlanes[single] = planeOf(two.first);
-            ++single;
-            return;
-        }
-        const glm::vec4 other = two.second->planeIn(planes_);
-        if (plane == other && !vertices) {
-            ++flatPairs;
-            return;
-        }
-        shadow.pairs[pair] = {a, b, plane, other};
-        shadow.pairPlanes[pair] = {planeOf(two.first), planeOf(*two.second)};
-        if (vertices) vertices->pairs[pair] = {edge.a, edge.b};
-        ++pair;
-    }
-
-    PlaneOf planeOf(const PairedTriangle& of) const {
-        return {2 * capOf_[of.triangle] + (of.negated ? 1u : 0u)};
-    }
-
-    const WeldedMesh& mesh_;
-    const EdgeList& edges_;
-    const std::vector<glm::vec4>& planes_;
-    const std::vector<std::uint32_t>& capOf_; ///< by triangle
-    std::vector<OppositePair> paired_;
-};
 
 /// Numbers of pairs and of singles.
 struct SideCounts {
@@ -265,17 +181,6 @@ void addClusters(const CasterMesh& mesh, const TriangleClusters& clustered,
                 rangeAfter(last.leaves, (caps + leafTriangles - 1) / leafTriangles)};
         shadow.clusters.push_back(last);
     }
-}
-
-void addLeaves(Threads threads, PlanePairShadow& shadow) {
-    std::vector<RecordRange> capsOf; // by leaf
-    for (const ShadowCluster& cluster : shadow.clusters)
-        for (std::uint32_t cap = cluster.caps.first; cap < cluster.caps.end(); cap += leafTriangles)
-            capsOf.push_back({cap, std::min(leafTriangles, cluster.caps.end() - cap)});
-    shadow.leaves.resize(capsOf.size());
-    forEachItem(capsOf.size(), itemsOfThread / leafTriangles, threads, [&](std::size_t i) {
-        shadow.leaves[i] = boxOf(shadow.caps, capsOf[i].first, capsOf[i].end());
-    });
 }
 
 PlanePairShadow recordsOf(const CasterMesh& mesh, const EdgeList& edges,

@@ -5,6 +5,7 @@
 #include "preprocess/scene/scene.hpp"
 
 #include <array>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -90,7 +91,8 @@ struct ShadowCluster {
     Box bounds;
     bool closed = false;      ///< every component is closed
     bool alphaTested = false; ///< some casters are not opaque
-    std::uint32_t components = 1;
+    static constexpr std::uint32_t uncounted = std::numeric_limits<std::uint32_t>::max();
+    std::uint32_t components = 1; ///< or `uncounted`, perhaps one
     RecordRange pairs, singles, caps;
     std::uint32_t singleSided = 0; ///< the first of `caps` that are single-sided
     RecordRange groups;            ///< in PlanePairShadow::groups

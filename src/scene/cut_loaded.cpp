@@ -1,6 +1,7 @@
 #include "src/scene/cut_loaded.hpp"
 
 #include "preprocess/section/component_blocks.hpp"
+#include "preprocess/volumes/cut_records.hpp"
 
 #include <algorithm>
 
@@ -15,6 +16,39 @@ bool isEmpty(const Scene& scene) {
                    return scene.materials[group.material].isSeen();
                });
     });
+}
+
+/// What cutRecords() needs of the uncut batch; null if it doesn't apply.
+FollowedGeometry* followedOf(UncutScene& uncut, const Batch& batch,
+                             const CasterSettings& settings) {
+    const Geometry& geometry = *batch.geometry;
+    const auto [found, isNew] = uncut.followed.try_emplace(&geometry);
+    if (!isNew) return found->second.get();
+    if (batch.deforms() || geometry.simplifiedCasters || settings.flatTolerance != 0.0)
+        return nullptr;
+    UncutRecords records = uncutRecords(batch, uncut.cutter.whole().materials, settings.castMasked);
+    uncut.ofWhole.emplace(&geometry, records.shadow);
+    if (records.canFollowCuts())
+        found->second = std::make_unique<FollowedGeometry>(FollowedGeometry{std::move(records)});
+    return found->second.get();
+}
+
+/// The records of a batch of the cut scene.
+std::shared_ptr<const PlanePairShadow> recordsOf(UncutScene& uncut, const LoadedScene& loaded,
+                                                 std::size_t i) {
+    const CasterSettings& settings = loaded.settings;
+    const std::vector<Material>& materials = loaded.scene.materials;
+    const Batch &batch = loaded.scene.batches[i], &whole = uncut.cutter.whole().batches[i];
+    if (const CutOrigins& origins = uncut.cutter.origins()[i]; !origins.ofTriangle.empty())
+        if (FollowedGeometry* const followed = followedOf(uncut, whole, settings))
+            return followed->made.share(cutRecords(followed->uncut, *batch.geometry, origins,
+                                                   materials, settings.castMasked,
+                                                   followed->made.take()));
+    const Casters casters = castersOf(batch, materials, settings.castMasked);
+    auto records = std::make_shared<const PlanePairShadow>(
+        buildPlanePairs(batch, casters, materials, settings.flatTolerance));
+    if (&*batch.geometry == &*whole.geometry) uncut.ofWhole.emplace(&*batch.geometry, records);
+    return records;
 }
 
 } // namespace
@@ -39,23 +73,20 @@ void cutScene(LoadedScene& loaded, const Section& section) {
             made.ofWhole.emplace(&*made.scene.batches[i].geometry, made.planePairs[i]);
     }
     UncutScene& uncut = *loaded.uncut;
-    const Scene& whole = uncut.cutter.whole();
     loaded.scene = uncut.cutter.cut(section);
     loaded.shadows.clear();
     std::map<const Geometry*, std::shared_ptr<const PlanePairShadow>> known = uncut.ofWhole;
     for (const auto& [geometry, records] : uncut.last)
         known.emplace(&*geometry, records);
     loaded.planePairs = byGeometry(loaded.scene.batches, [&](std::size_t i) {
-        const Batch& batch = loaded.scene.batches[i];
-        const Geometry* const geometry = &*batch.geometry;
-        if (const auto found = known.find(geometry); found != known.end()) return found->second;
-        const Casters casters =
-            castersOf(batch, loaded.scene.materials, loaded.settings.castMasked);
-        auto records = std::make_shared<const PlanePairShadow>(
-            buildPlanePairs(batch, casters, loaded.scene.materials, loaded.settings.flatTolerance));
-        if (geometry == &*whole.batches[i].geometry) uncut.ofWhole.emplace(geometry, records);
-        return records;
+        const auto found = known.find(&*loaded.scene.batches[i].geometry);
+        return found != known.end() ? found->second : recordsOf(uncut, loaded, i);
     });
+    for (std::size_t i = 0; i < loaded.planePairs.size(); ++i)
+        if (uncut.cutter.origins()[i].ofTriangle.empty())
+            if (const auto found = uncut.followed.find(&*uncut.cutter.whole().batches[i].geometry);
+                found != uncut.followed.end() && found->second)
+                found->second->made.clear();
     uncut.last.clear();
     for (std::size_t i = 0; i < loaded.planePairs.size(); ++i)
         uncut.last.emplace_back(loaded.scene.batches[i].geometry, loaded.planePairs[i]);

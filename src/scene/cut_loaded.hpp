@@ -1,6 +1,8 @@
 #pragma once
 
+#include "preprocess/base/shared_pool.hpp"
 #include "preprocess/section/cut_scene.hpp"
+#include "preprocess/volumes/uncut_records.hpp"
 #include "src/scene/load.hpp"
 
 #include <map>
@@ -10,6 +12,12 @@
 
 namespace edgeshade {
 
+/// A geometry whose records follow its cuts.
+struct FollowedGeometry {
+    UncutRecords uncut;
+    SharedPool<PlanePairShadow> made = {}; ///< records of its cuts
+};
+
 /// A loaded scene as it was before a section cut it.
 struct UncutScene {
     Scene scene;
@@ -18,6 +26,9 @@ struct UncutScene {
     SceneCutter cutter; ///< of the scene in blocks, inBlocks()
     /// Records of the cutter's geometries, made when a cut first leaves one whole.
     std::map<const Geometry*, std::shared_ptr<const PlanePairShadow>> ofWhole = {};
+    /// What cutRecords() needs of the cutter's geometries, made when a cut first crosses one; null
+    /// for those it doesn't apply to.
+    std::map<const Geometry*, std::unique_ptr<FollowedGeometry>> followed = {};
     /// Geometries of the last cut and their records, for those that the next one leaves.
     std::vector<std::pair<CopyOnWrite<Geometry>, std::shared_ptr<const PlanePairShadow>>> last = {};
 };

@@ -168,6 +168,14 @@ TEST(Section, SolidsStayClosedUnderHardPlanes) {
     }
 }
 
+TEST(Section, LeavesNothingOfASolidThatTouchesThePlaneFromBehind) {
+    SceneCutter cutter(boxScene(), false);
+    for (const glm::dvec4& plane : {glm::dvec4(0, 1, 0, -1), glm::dvec4(-1, 0, 0, -1)})
+        EXPECT_TRUE(trianglesOf(cutter.cut(sectionOf({plane})), false).empty());
+    // From before, its face stays.
+    EXPECT_EQ(trianglesOf(cutter.cut(sectionOf({{0, -1, 0, 1}})), false).size(), 12u);
+}
+
 TEST(Section, KeptAndCutAwaySolidsAddUp) {
     for (const auto& planes : hardPlanes()) {
         if (planes.size() > 1) continue;
