@@ -57,7 +57,9 @@ struct MaskDrawing {
         : capabilities(of), renderer(settingsFor(of), of), casters(renderer.settings().layout, of),
           counter(of), channel(shaders::mask_channel_frag), lookups(of) {}
 
-    void draw(const MaskView& view, const std::vector<Light>& lights);
+    /// `of`: by light, see ShadowMasks::draw().
+    void draw(const MaskView& view, const std::vector<Light>& lights,
+              std::span<const ShadowMasks::LookupId> of);
     void drawLight(const FrameView& view, std::size_t light);
     void fit(int width, int height, std::size_t lights);
 
@@ -87,7 +89,8 @@ void MaskDrawing::fit(int newWidth, int newHeight, std::size_t lights) {
         names.push_back(mask.texture.name());
 }
 
-void MaskDrawing::draw(const MaskView& of, const std::vector<Light>& lights) {
+void MaskDrawing::draw(const MaskView& of, const std::vector<Light>& lights,
+                       std::span<const ShadowMasks::LookupId> ids) {
     FrameRequest request{.frustum =
                              frustumOf(matrixOf(of.viewFromWorld), matrixOf(of.clipFromView)),
                          .width = of.width,
@@ -99,12 +102,19 @@ void MaskDrawing::draw(const MaskView& of, const std::vector<Light>& lights) {
     request.nearestDepths = false; // volumes are drawn from plane-pair records
     FrameView view =
         makeFrameView(casters.loaded().scene, request, casters.bounds(), casters.tree());
+    const auto looksUp = [&](std::size_t i) {
+        return !ids.empty() && ids[i] != ShadowMasks::noLookup;
+    };
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        view.lights[i].animatedAlone = looksUp(i);
     casters.fillLayers(view);
     view.mask = view.sumsMasks = true;
     fit(of.width, of.height, lights.size());
     vertexRuns = 0;
-    for (std::size_t i = 0; i < lights.size(); ++i)
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        if (looksUp(i)) casters.countMovers(view.lights[i], lookups.held(ids[i]), view.visible);
         drawLight(view, i);
+    }
     if (!of.nearness) {
         nearness.reset();
         return;
@@ -216,7 +226,8 @@ void ShadowMasks::remove(Id id) {
     impl_->drawing->casters.remove(id);
 }
 
-void ShadowMasks::draw(const MaskView& view, std::span<const MaskLight> lights) {
+void ShadowMasks::draw(const MaskView& view, std::span<const MaskLight> lights,
+                       std::span<const LookupId> lookups) {
     const std::vector<Light> planned = lightsOf(lights);
     if (planned.size() > mostLights)
         throw InputError(std::to_string(planned.size()) + " lights are more than the " +
@@ -227,10 +238,23 @@ void ShadowMasks::draw(const MaskView& view, std::span<const MaskLight> lights) 
     if (view.lightSamples < 1 || view.lightSamples > mostLightPoints)
         throw InputError("Lights have 1 to " + std::to_string(mostLightPoints) + " samples, not " +
                          std::to_string(view.lightSamples) + ".");
+    if (!lookups.empty() && lookups.size() != lights.size())
+        throw InputError(std::to_string(lookups.size()) + " lookups were passed for " +
+                         std::to_string(lights.size()) + " lights.");
+    for (std::size_t i = 0; i < lookups.size(); ++i) {
+        if (lookups[i] == noLookup) continue;
+        const auto refuse = [&](const std::string& why) {
+            throw InputError("Lookup " + std::to_string(lookups[i]) + " of light " +
+                             std::to_string(i) + why);
+        };
+        if (!lookup(lookups[i]).uploaded) refuse(" isn't uploaded.");
+        if (!state(lookups[i], lights[i]).holds)
+            refuse(" no longer holds: the light or a caster in it has moved.");
+    }
     Stopwatch watch;
     MaskDrawing& drawing = *impl_->drawing;
     MaskCost cost;
-    cost.hostError = impl_->withStateKept([&] { drawing.draw(view, planned); });
+    cost.hostError = impl_->withStateKept([&] { drawing.draw(view, planned, lookups); });
     cost.buildMs = std::exchange(impl_->buildMs, 0.0);
     cost.drawMs = 1e3 * watch.lap();
     cost.vertexRuns = drawing.vertexRuns;
@@ -262,9 +286,15 @@ LookupWork ShadowMasks::lookupWork(const MaskLight& light, const LookupSettings&
         throw InputError(
             "A map of " + std::to_string(settings.size) +
             " texels along its edge can't be made: the size must be a power of 2, at least 4.");
-    LookupTask task{lightsOf({&light, 1}).front(), settings, drawing.casters.casters(), {}};
+    if (!(settings.restMs >= 0.0))
+        throw InputError("Casters can't rest for " + std::to_string(settings.restMs) +
+                         " milliseconds: restMs must be 0 or more.");
+    CasterScene::Casters resting = drawing.casters.resting(settings.restMs);
+    LookupTask task{lightsOf({&light, 1}).front(), settings, std::move(resting.casters), {}};
     task.why = drawing.lookups.obstacle(task.light);
-    return workOn(std::move(task), drawing.casters.casterState());
+    if (task.why.empty() && task.casters.empty() && drawing.casters.hasCasters())
+        task.why = "all casters move";
+    return workOn(std::move(task), std::move(resting.held));
 }
 
 ShadowMasks::LookupId ShadowMasks::addLookup(const LookupWork& work) {
@@ -287,10 +317,15 @@ std::size_t ShadowMasks::casterState() const {
     return impl_->drawing->casters.casterState();
 }
 
-bool ShadowMasks::isCurrent(LookupId id, const MaskLight& light) const {
+std::size_t ShadowMasks::restingState() const {
+    return impl_->drawing->casters.restingState();
+}
+
+LookupState ShadowMasks::state(LookupId id, const MaskLight& light, double restMs) const {
     const MaskDrawing& drawing = *impl_->drawing;
-    return drawing.lookups.isCurrent(id, lightsOf({&light, 1}).front(),
-                                     drawing.casters.casterState());
+    LookupState state = drawing.casters.compare(drawing.lookups.held(id), restMs);
+    state.holds = state.holds && drawing.lookups.isOf(id, lightsOf({&light, 1}).front());
+    return state;
 }
 
 void ShadowMasks::removeLookup(LookupId id) {

@@ -128,7 +128,8 @@ void Renderer::planFrame(const FrameTask& task, GpuScene& scene, const FrameView
 
 CasterGroupInSlice Renderer::castersOf(const FrameView& view, const DepthSlice& slice,
                                        std::size_t light, std::size_t group) const {
-    return {view, slice, light, group, choices_[light].technique == Technique::lookup};
+    return {view, slice, light, group,
+            choices_[light].technique == Technique::lookup || view.lights[light].animatedAlone};
 }
 
 template <class Use>

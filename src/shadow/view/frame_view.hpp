@@ -54,7 +54,8 @@ struct FrameLight {
     /// across the viewing direction, in the world, positive at larger depths. It cuts casters into
     /// two groups (docs/method.md, C33).
     std::optional<glm::dvec4> cut{};
-    bool atRest = true; ///< it may be worth a primitive map
+    bool atRest = true;         ///< it may be worth a primitive map
+    bool animatedAlone = false; ///< only animated casters are counted: a host looks up the others
     /// Points that stand for its extent; empty: it has none. `layers` then hold for all of them.
     std::vector<Light> points{};
     std::optional<AmongPoints> among{}; ///< set if it is a point of another light
