@@ -121,6 +121,11 @@ struct MaskNearness {
                           ///< units
 };
 
+/// A rectangle of pixels, from the lower left.
+struct MaskRegion {
+    int x = 0, y = 0, width = 0, height = 0;
+};
+
 /// The party that preserves the host's GL state during a call.
 enum class StateKeeper {
     engine, ///< the engine restores everything it changes
@@ -195,6 +200,9 @@ class ShadowMasks {
     std::span<const unsigned> textures() const;
     /// Nearness of the last draw(), valid until the next.
     const MaskNearness& nearness() const;
+    /// The pixels where a mask of the last draw() may be less than 1. Beyond it masks needn't be
+    /// sampled, and nearness is undefined.
+    const MaskRegion& region() const;
     const MaskCost& cost() const;
 
     /// Takes a snapshot of the resting casters (LookupSettings::restMs) and a light; see

@@ -8,7 +8,9 @@
 #include "src/engine/light_lookups.hpp"
 #include "src/engine/nearness_picture.hpp"
 #include "src/gl/host_state.hpp"
+#include "src/gl/scissor.hpp"
 #include "src/render/accumulation/lit_counter.hpp"
+#include "src/shadow/view/light_reach.hpp"
 
 #include <bit>
 #include <GLES2/gl2.h>
@@ -60,7 +62,12 @@ struct MaskDrawing {
     /// `of`: by light, see ShadowMasks::draw().
     void draw(const MaskView& view, const std::vector<Light>& lights,
               std::span<const ShadowMasks::LookupId> of);
+    /// `view`: perhaps a part of it, beyond which the light's mask is 1.
     void drawLight(const FrameView& view, std::size_t light);
+    /// Makes a light's mask 1.
+    void clearMask(std::size_t light);
+    /// Binds the framebuffer and the channel of a light's mask.
+    void bindMask(std::size_t light);
     void fit(int width, int height, std::size_t lights);
 
     gl::Capabilities capabilities;
@@ -72,6 +79,7 @@ struct MaskDrawing {
     std::vector<gl::ColorTarget> masks;
     std::vector<unsigned> names;
     std::optional<NearnessPicture> nearness;
+    MaskRegion region;
     int width = 0, height = 0;
     std::size_t vertexRuns = 0;
 };
@@ -111,10 +119,24 @@ void MaskDrawing::draw(const MaskView& of, const std::vector<Light>& lights,
     view.mask = view.sumsMasks = true;
     fit(of.width, of.height, lights.size());
     vertexRuns = 0;
+    const PixelRectangle whole{0, 0, width, height};
+    PixelRectangle reach;
     for (std::size_t i = 0; i < lights.size(); ++i) {
-        if (looksUp(i)) casters.countMovers(view.lights[i], lookups.held(ids[i]), view.visible);
+        view.part.reset();
+        if (looksUp(i)) {
+            const Box movers =
+                casters.countMovers(view.lights[i], lookups.held(ids[i]), view.visible);
+            clearMask(i);
+            view.part = shadowReach(view, movers, view.lights[i].light);
+        }
+        const PixelRectangle drawn = view.part.value_or(whole);
+        if (drawn.empty()) continue;
         drawLight(view, i);
+        reach = united(reach, drawn);
     }
+    region = {reach.x, reach.y, reach.width, reach.height};
+    // Hosts look around each pixel for their surface.
+    view.part = intersection(whole, {reach.x - 2, reach.y - 2, reach.width + 4, reach.height + 4});
     if (!of.nearness) {
         nearness.reset();
         return;
@@ -124,7 +146,7 @@ void MaskDrawing::draw(const MaskView& of, const std::vector<Light>& lights,
 }
 
 void MaskDrawing::drawLight(const FrameView& view, std::size_t light) {
-    counter.begin(width, height);
+    counter.begin(width, height, view.part);
     const std::size_t points = view.lights[light].points.size();
     if (points == 0) {
         FrameView alone = view;
@@ -136,18 +158,30 @@ void MaskDrawing::drawLight(const FrameView& view, std::size_t light) {
     }
     vertexRuns += renderer.vertexRuns();
     const VisibilityLookup seen = counter.visibility();
-    glBindFramebuffer(GL_FRAMEBUFFER, masks[light / channels].framebuffer.name());
-    glViewport(0, 0, width, height);
-    for (const GLenum off : {GL_DEPTH_TEST, GL_STENCIL_TEST, GL_SCISSOR_TEST, GL_BLEND, GL_DITHER})
-        glDisable(off);
-    const auto writes = [&](std::size_t c) -> GLboolean { return light % channels == c; };
-    glColorMask(writes(0), writes(1), writes(2), writes(3));
+    bindMask(light);
+    const gl::ScissorScope cut(view.part);
     const gl::Program& program = channel.use();
     program.setTexture("u_visibility", 0, seen.texture);
     program.set("u_texel", 1.0f / seen.size);
     channel.draw();
     glBindTexture(GL_TEXTURE_2D, 0);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void MaskDrawing::clearMask(std::size_t light) {
+    bindMask(light);
+    glClearColor(1.0f, 1.0f, 1.0f, 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void MaskDrawing::bindMask(std::size_t light) {
+    glBindFramebuffer(GL_FRAMEBUFFER, masks[light / channels].framebuffer.name());
+    glViewport(0, 0, width, height);
+    for (const GLenum off : {GL_DEPTH_TEST, GL_STENCIL_TEST, GL_SCISSOR_TEST, GL_BLEND, GL_DITHER})
+        glDisable(off);
+    const auto writes = [&](std::size_t c) -> GLboolean { return light % channels == c; };
+    glColorMask(writes(0), writes(1), writes(2), writes(3));
 }
 
 struct ShadowMasks::Impl {
@@ -274,6 +308,10 @@ std::span<const unsigned> ShadowMasks::textures() const {
 const MaskNearness& ShadowMasks::nearness() const {
     static constexpr MaskNearness none;
     return impl_->drawing->nearness ? impl_->drawing->nearness->told() : none;
+}
+
+const MaskRegion& ShadowMasks::region() const {
+    return impl_->drawing->region;
 }
 
 const MaskCost& ShadowMasks::cost() const {

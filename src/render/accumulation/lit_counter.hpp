@@ -33,8 +33,9 @@ class LitCounter {
 
     explicit LitCounter(const gl::Capabilities& capabilities) : capabilities_(capabilities) {}
 
-    /// Starts from nothing, for pictures of this size. Throws Error(unavailable) if the GL can't.
-    void begin(int width, int height);
+    /// Starts from nothing, for pictures of this size. `part`: the views' FrameView::part; the
+    /// other pixels are undefined. Throws Error(unavailable) if the GL can't.
+    void begin(int width, int height, const std::optional<PixelRectangle>& part = {});
 
     /// Adds the masks of all lights of a view. The view must have the size passed to begin(), sum
     /// masks (pointsView()), and have at most mostSummed lights. Uploads the groups of casters that

@@ -39,6 +39,7 @@ Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capab
 void Renderer::draw(GpuScene& scene, const FrameView& view, StageClock* clock,
                     std::span<const VisibilityLookup> visibility) {
     vertexRuns_ = 0;
+    const gl::ScissorScope cut(view.part);
     visibility_.assign(visibility.begin(), visibility.end());
     if (coarse_) {
         const gl::FramebufferKeeper keeper;
@@ -153,7 +154,7 @@ void Renderer::prepare(const FramePlan& plan, GpuScene& scene, const FrameView& 
 
 void Renderer::countInOnePixel(const FramePlan& plan, const GpuScene& scene,
                                const FrameView& view) {
-    const gl::ScissorScope onePixel({0, 0, 1, 1});
+    const gl::ScissorScope onePixel(PixelRectangle{0, 0, 1, 1});
     glDisable(GL_CULL_FACE);
     set(passes::counting);
     glViewport(0, 0, 1, 1);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "src/shadow/geometry/pixel_rectangle.hpp"
 #include "src/shadow/layers/layer_bound.hpp"
 #include "src/shadow/lights/light.hpp"
 #include "src/shadow/lights/light_extent.hpp"
@@ -87,11 +88,12 @@ struct FrameView {
     Box visible{}; ///< of the visible geometry, in the world; empty: unknown
     Slopes slopes; ///< of the visible geometry
 
-    bool mask = false;       ///< draw the lit mask of the first light, not a picture
-    bool sumsMasks = false;  ///< in a mask: add up those of all lights, each 1 of 255
-    bool drawBlended = true; ///< draw BLEND surfaces
-    bool ground = false;     ///< draw the ground
-    bool culls = false;      ///< as in Scene
+    bool mask = false;                    ///< draw the lit mask of the first light, not a picture
+    bool sumsMasks = false;               ///< in a mask: add up those of all lights, each 1 of 255
+    bool drawBlended = true;              ///< draw BLEND surfaces
+    bool ground = false;                  ///< draw the ground
+    bool culls = false;                   ///< as in Scene
+    std::optional<PixelRectangle> part{}; ///< the only pixels that are drawn; null: all
 
     double near() const { return slices.back().near; }
     /// Makes it as new, and keeps the memory of its arrays.
