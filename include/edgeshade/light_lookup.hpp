@@ -51,13 +51,13 @@ class LookupWork {
     std::shared_ptr<Data> data_;
 };
 
-/// A lookup's casters compared with those that there are now.
+/// A lookup's casters compared with the present ones.
 struct LookupState {
     /// The light and all of the lookup's casters are as they were when its work began. Otherwise
     /// its shadows are wrong.
     bool holds = false;
     std::size_t movers = 0; ///< casters that aren't in it
-    std::size_t rested = 0; ///< those of them that have rested for the time that was asked for
+    std::size_t rested = 0; ///< movers that have rested for the requested time
 };
 
 /// A light's uniforms, with the names that lookupSource("PREFIX") gives them.

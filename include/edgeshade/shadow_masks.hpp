@@ -221,7 +221,7 @@ class ShadowMasks {
     /// moved before or had rested for longRestMs. A lookup that is built while it stays the same
     /// will probably hold for long.
     std::size_t restingState() const;
-    /// Compares a lookup's casters with those that there are now. The light has to be as it was,
+    /// Compares a lookup's casters with the present ones. The light has to be as it was,
     /// except for properties that shadows don't depend on. `restMs`: for LookupState::rested.
     LookupState state(LookupId id, const MaskLight& light, double restMs = longRestMs) const;
     /// Whether the lookup holds, and there are no movers: it needs no mask.

@@ -59,7 +59,7 @@ class CasterScene {
     };
     /// All casters except movers: those that have moved, and have rested less than `restMs`.
     Casters resting(double restMs) const;
-    /// Compares the casters in a map with those that there are now, as in ShadowMasks::state().
+    /// Compares the casters in a map with the present ones, as in ShadowMasks::state().
     LookupState compare(std::span<const HeldCaster> held, double restMs) const;
     /// Changes whenever a caster changes or moves.
     std::size_t casterState() const { return casterState_; }

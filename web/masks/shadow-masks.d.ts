@@ -132,7 +132,7 @@ export interface LookupOptions {
   signal?: AbortSignal;
 }
 
-/** A lookup's casters compared with those that there are now. */
+/** A lookup's casters compared with the present ones. */
 export interface LookupState {
   /**
    * The light and all of the lookup's casters are as they were when it was requested. Otherwise its
@@ -141,7 +141,7 @@ export interface LookupState {
   holds: boolean;
   /** Casters that aren't in it: draw() counts them on top. */
   movers: number;
-  /** Those of them that have rested for `restMs`. */
+  /** Movers that have rested for `restMs`. */
   rested: number;
 }
 

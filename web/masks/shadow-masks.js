@@ -182,7 +182,7 @@ export class ShadowMasks {
     return this.#lookups.of(id);
   }
 
-  /** Compares a lookup's casters with those that there are now. */
+  /** Compares a lookup's casters with the present ones. */
   lookupState(id, light, restMs = longRestMs) {
     return this.#lookups.state(id, light, restMs);
   }

@@ -1,0 +1,86 @@
+// Casters that move over a lookup in three.js: the lookup is kept in every frame, and the picture
+// has the shadows of `render --mask`.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { useBrowser } from './support/browser.mjs';
+import { compareMasks, nativeMask, openThree, size } from './support/three.mjs';
+
+const shared = useBrowser({ angle: 'gl-egl' }); // the native program's GL
+
+/** Runs `act(page, given)` in a page with three.js; returns its result, and the page. */
+async function inPage(context, act, given = {}) {
+  const page = await openThree(shared);
+  const name = await page.evaluate(() => window.page.rendererName());
+  if (!/llvmpipe/.test(name)) {
+    context.skip(`Chromium draws with ${name} here`);
+    await page.context().close();
+    return {};
+  }
+  const told = await page.evaluate(({ text, of }) => (0, eval)(`(${text})`)(window.page, of), { text: act.toString(), of: given });
+  return { page, told };
+}
+
+test('a figure walks through a resting pavilion, rests, and starts again', async (context) => {
+  const view = { from: [-2.6, 3.0, 8.2], to: [0.2, 1.3, -0.2], fov: 45 };
+  const { page, told } = await inPage(context, async ({ three, ExactShadows, rendererOf, loaded, walkingFigure, glbAsPosed, base64Of, whiten, cameraOf, lampOf, drawn, redOf }, { seen, wide }) => {
+    const renderer = rendererOf(wide);
+    const camera = cameraOf(seen, wide.width / wide.height);
+    const scene = new three.Scene();
+    const { figure, pose } = await walkingFigure();
+    scene.add(await loaded('/assets/pavilion.glb'), figure, ...lampOf({ kind: 'DirectionalLight', position: [-0.62, 0.62, -0.3] }));
+    figure.rotation.y = Math.PI / 2;
+    whiten(scene);
+    const shadows = new ExactShadows(renderer).add(scene);
+    const pause = (milliseconds) => new Promise((resolve) => { setTimeout(resolve, milliseconds); });
+    const walkTo = (step) => {
+      pose(0.11 * step);
+      figure.position.set(-2.4 + 0.21 * (step % 20), 0.47, 1.1);
+    };
+    walkTo(0);
+    await drawn(shadows, scene, camera);
+    let step = 0;
+    // It walks while the map is built: 200 ms a frame leave time for that.
+    for (const since = performance.now(); shadows.cost.lookedUp !== 1 && performance.now() - since < 60000;) {
+      await pause(200);
+      walkTo(++step);
+      shadows.render(scene, camera);
+    }
+    const frames = { walking: 0, kept: 0 };
+    const methods = new Set(), judged = [];
+    const draw = async (judges) => {
+      shadows.render(scene, camera);
+      frames.walking += 1;
+      frames.kept += shadows.cost.lookedUp;
+      for (const { method, reason } of shadows.lights) methods.add(`${method}: ${reason}`);
+      if (judges) judged.push({ red: redOf(renderer), glb: base64Of(await glbAsPosed(scene)) });
+    };
+    for (let i = 0; i < 20; ++i) {
+      walkTo(++step);
+      await draw(i % 6 === 0);
+    }
+    for (let i = 0; i < 4; ++i) { // it rests, longer than half a second
+      await pause(300);
+      await draw(i === 3);
+    }
+    for (let i = 0; i < 10; ++i) { // and starts again
+      walkTo(++step);
+      await draw(i === 0 || i === 9);
+    }
+    const { vertexRuns } = shadows.cost;
+    shadows.dispose();
+    return { ...frames, methods: [...methods], judged, vertexRuns };
+  }, { seen: view, wide: size });
+  if (!page) return;
+  assert.equal(told.kept, told.walking, `lookups kept in ${told.kept} of ${told.walking} frames`);
+  assert.deepEqual(told.methods, ['lookup and movers: casters that came or moved lately are counted on top: 1']);
+  assert.ok(told.vertexRuns > 0);
+  for (const [i, { red, glb }] of told.judged.entries()) {
+    const compared = await compareMasks(page, red, nativeMask(Buffer.from(glb, 'base64'), view, ['--sun', '-0.62,0.62,-0.30']));
+    console.log(`picture ${i}`, compared);
+    assert.ok(compared.surfaces > 0.2 * size.width * size.height && compared.dark > 1000, JSON.stringify(compared));
+    assert.ok(compared.beyond <= 0.0002 * compared.surfaces, `picture ${i}: ${compared.beyond} of ${compared.surfaces} pixels, beyond outlines`);
+    assert.ok(compared.wrong <= 0.003 * compared.surfaces, `picture ${i}: ${compared.wrong} of ${compared.surfaces} pixels`);
+  }
+  await shared.check(page);
+});
