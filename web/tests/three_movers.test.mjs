@@ -35,7 +35,7 @@ test('a figure walks through a resting pavilion, rests, and starts again', async
     const pause = (milliseconds) => new Promise((resolve) => { setTimeout(resolve, milliseconds); });
     const walkTo = (step) => {
       pose(0.11 * step);
-      figure.position.set(-2.4 + 0.21 * (step % 20), 0.47, 1.1);
+      figure.position.set(-2.4 + 0.21 * (step % 20), 0.47, 1.1 + 0.13 * (step % 20));
     };
     walkTo(0);
     await drawn(shadows, scene, camera);
@@ -81,6 +81,52 @@ test('a figure walks through a resting pavilion, rests, and starts again', async
     assert.ok(compared.surfaces > 0.2 * size.width * size.height && compared.dark > 1000, JSON.stringify(compared));
     assert.ok(compared.beyond <= 0.0002 * compared.surfaces, `picture ${i}: ${compared.beyond} of ${compared.surfaces} pixels, beyond outlines`);
     assert.ok(compared.wrong <= 0.003 * compared.surfaces, `picture ${i}: ${compared.wrong} of ${compared.surfaces} pixels`);
+  }
+  await shared.check(page);
+});
+
+test('a box that starts to move leaves the map, and is taken into another after a long rest', async (context) => {
+  const view = { from: [5, 4, 6], to: [0, 0.6, 0], fov: 50 };
+  const { page, told } = await inPage(context, async ({ yard, ExactShadows, cameraOf, glbAsPosed, base64Of, whiten, rested, redOf }, { seen, wide }) => {
+    const { renderer, scene, box, light } = yard(wide);
+    whiten(scene);
+    const camera = cameraOf(seen, wide.width / wide.height);
+    const shadows = new ExactShadows(renderer, { lookups: 4 }).add(scene);
+    const stages = [], judged = [];
+    const draw = async () => {
+      shadows.render(scene, camera);
+      stages.push(shadows.lights.map(({ method, reason, light: of }) => (of === light ? `${method}: ${reason}` : 'another light')));
+      judged.push({ red: redOf(renderer), glb: base64Of(await glbAsPosed(scene)) });
+    };
+    const until = async (method) => {
+      for (const since = performance.now(); shadows.lights[0].method !== method && performance.now() - since < 30000;) {
+        await new Promise((resolve) => { setTimeout(resolve, 100); });
+        shadows.render(scene, camera);
+      }
+    };
+    await rested(shadows, scene, camera);
+    await draw();
+    box.position.x = 0.9;
+    await draw(); // the map had the box
+    await until('lookup and movers');
+    box.position.x = 1.3;
+    await draw();
+    await until('lookup'); // it rests for five seconds
+    await draw();
+    box.parent.remove(box);
+    await draw();
+    shadows.dispose();
+    return { stages, judged };
+  }, { seen: view, wide: size });
+  if (!page) return;
+  const moved = 'casters have come, gone or started to move within half a second';
+  assert.deepEqual(told.stages, [['lookup: it rests, and so do all casters'], [`mask: ${moved}`],
+    ['lookup and movers: casters that came or moved lately are counted on top: 1'],
+    ['lookup: it rests, and so do all casters'], [`mask: ${moved}`]]);
+  for (const [i, { red, glb }] of told.judged.entries()) {
+    const compared = await compareMasks(page, red, nativeMask(Buffer.from(glb, 'base64'), view, ['--sun', '0.5,1,-0.3']));
+    console.log(`stage ${i}`, compared);
+    assert.equal(compared.beyond, 0, `stage ${i}`);
   }
   await shared.check(page);
 });

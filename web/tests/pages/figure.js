@@ -6,7 +6,7 @@ import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 
 /** The figure alone, and `pose(seconds)`, which sets its limbs as they are then in its walk. */
 export async function walkingFigure() {
-  const { scene, animations } = await new GLTFLoader().loadAsync('/assets/walking-figure.glb');
+  const { scene, animations } = await new GLTFLoader().loadAsync('/models/walking-figure.glb');
   scene.traverse((object) => {
     if (!object.isMesh) return;
     object.castShadow = object.receiveShadow = true;
@@ -29,16 +29,16 @@ function baked(mesh) {
   return new three.Mesh(geometry, mesh.material);
 }
 
-/** The visible scene as a GLB, skinned meshes as they are posed. */
+/** The visible meshes as a GLB, skinned ones as they are posed. */
 export async function glbAsPosed(scene) {
   scene.updateMatrixWorld();
-  const skinned = [];
-  scene.traverseVisible((object) => { if (object.isSkinnedMesh) skinned.push(object); });
-  const still = new three.Group().add(...skinned.map(baked));
-  scene.add(still);
-  for (const mesh of skinned) mesh.visible = false;
-  const glb = await new GLTFExporter().parseAsync(scene, { binary: true, onlyVisible: true });
-  for (const mesh of skinned) mesh.visible = true;
-  scene.remove(still);
-  return new Uint8Array(glb);
+  const still = new three.Group(), materials = [0, 1, 2].map((side) => new three.MeshBasicMaterial({ side }));
+  scene.traverseVisible((object) => {
+    if (!object.isMesh) return;
+    const mesh = object.isSkinnedMesh ? baked(object) : object.clone(false);
+    if (mesh.geometry === object.geometry) object.matrixWorld.decompose(mesh.position, mesh.quaternion, mesh.scale);
+    mesh.material = materials[object.material.side];
+    still.add(mesh);
+  });
+  return new Uint8Array(await new GLTFExporter().parseAsync(still, { binary: true }));
 }
