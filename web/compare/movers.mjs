@@ -1,5 +1,5 @@
-// Frame times of three.js while a skinned figure walks through the sample at rest, in one run of
-// Chromium: at rest, walking over a lookup, and walking with masks alone. Prints JSON. Needs
+// Frame times of three.js while a skinned figure walks through the sample, beside those without it,
+// when all rests: with a lookup, and with masks alone. One run of Chromium. Prints JSON. Needs
 // build/web and `npm ci`.
 //
 //   node compare/movers.mjs [--size 640x360] [--frames 15] [--angle swiftshader|gl-egl]
@@ -15,7 +15,7 @@ const { values: options } = parseArgs({ options: {
 } });
 const [width, height] = options.size.split('x').map(Number);
 
-/** In the page: milliseconds of each kind of frame, by light; medians, with a moving camera. */
+/** In the page: medians of the milliseconds of each kind of frame, by light, with a moving camera. */
 async function measured({ wide, frames }) {
   const { three, ExactShadows, rendererOf, loaded, walkingFigure, cameraOf, lampOf, drawn } = window.page;
   const renderer = rendererOf(wide);
@@ -35,51 +35,42 @@ async function measured({ wide, frames }) {
       figure.position.set(-2.4 + 0.21 * (step % 20), 0.47, 1.1 + 0.13 * (step % 20));
     };
     walk();
-    const timed = (draw) => {
-      const times = [], masks = [];
-      for (let i = 0; i < frames + 2; ++i) {
-        camera.position.x = -2.6 + 0.01 * i;
-        camera.updateMatrixWorld();
-        const since = performance.now();
-        const shadows = draw();
-        gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
-        if (i > 1) times.push(performance.now() - since);
-        masks.push(shadows.cost.buildMs);
-      }
-      return { ms: median(times), posingMs: median(masks) };
+    const now = (draw) => {
+      const since = performance.now();
+      draw();
+      gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+      return performance.now() - since;
     };
     const of = { light: lamp.kind };
     for (const lookups of [1, 0]) {
       const shadows = new ExactShadows(renderer, { lookups }).add(scene);
-      const draw = () => {
-        shadows.render(scene, camera);
-        return shadows;
-      };
-      const until = async (method, act) => {
-        for (const since = performance.now(); shadows.lights[0].method !== method && performance.now() - since < 60000;) {
-          await new Promise((resolve) => { setTimeout(resolve, 200); });
-          act();
-          draw();
-        }
-        if (shadows.lights[0].method !== method) throw new Error(`The light has ${shadows.lights[0].method}: ${shadows.lights[0].reason}.`);
-      };
+      const draw = () => shadows.render(scene, camera);
       await drawn(shadows, scene, camera);
-      if (lookups) {
-        await until('lookup', () => {});
-        of.rest = timed(draw);
+      for (const since = performance.now(); lookups && shadows.lights[0].method !== 'lookup and movers';) {
+        if (performance.now() - since > 90000) throw new Error(`${shadows.lights[0].method}: ${shadows.lights[0].reason}`);
+        await new Promise((resolve) => { setTimeout(resolve, 200); });
         walk();
-        await until('lookup and movers', walk);
+        draw();
       }
-      of[lookups ? 'walking' : 'walkingMasked'] = timed(() => {
+      const rest = [], walking = [];
+      for (let i = 0; i < frames; ++i) { // in turns: without the figure, everything rests
+        camera.position.x = -2.6 + 0.01 * i;
+        camera.updateMatrixWorld();
+        figure.visible = false;
+        draw();
+        rest.push(now(draw));
+        figure.visible = true;
         walk();
-        return draw();
-      });
-      if (lookups) {
-        await until('lookup', () => {});
-        of.restAgain = timed(draw);
+        draw();
+        walk();
+        walking.push(now(draw));
+        if (lookups && shadows.cost.lookedUp !== 1) throw new Error('The lookup ended.');
       }
+      of[lookups ? 'restMs' : 'restMaskedMs'] = median(rest);
+      of[lookups ? 'walkingMs' : 'walkingMaskedMs'] = median(walking);
       shadows.dispose();
     }
+    of.ratio = of.walkingMs / of.restMs;
     results.push(of);
   }
   return { renderer: window.page.rendererName(), size: wide, frames, results };

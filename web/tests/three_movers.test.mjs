@@ -4,13 +4,13 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { useBrowser } from './support/browser.mjs';
-import { compareMasks, nativeMask, openThree, size } from './support/three.mjs';
+import { compareMasks, nativeMask, openThree, releases, size } from './support/three.mjs';
 
 const shared = useBrowser({ angle: 'gl-egl' }); // the native program's GL
 
 /** Runs `act(page, given)` in a page with three.js; returns its result, and the page. */
-async function inPage(context, act, given = {}) {
-  const page = await openThree(shared);
+async function inPage(context, act, given = {}, release = undefined) {
+  const page = await openThree(shared, release);
   const name = await page.evaluate(() => window.page.rendererName());
   if (!/llvmpipe/.test(name)) {
     context.skip(`Chromium draws with ${name} here`);
@@ -128,5 +128,72 @@ test('a box that starts to move leaves the map, and is taken into another after 
     console.log(`stage ${i}`, compared);
     assert.equal(compared.beyond, 0, `stage ${i}`);
   }
+  await shared.check(page);
+});
+
+for (const release of releases) test(`four lights are looked up while a mesh morphs, another moves and a third only receives, in ${release}`, async (context) => {
+  const { page, told } = await inPage(context, async ({ three, yard, ExactShadows, cameraOf, lampOf, whiten, drawn, redOf }, { wide }) => {
+    const { renderer, scene, light } = yard(wide);
+    light.intensity = 1;
+    for (const of of [{ kind: 'PointLight', position: [2, 3, 2] }, { kind: 'SpotLight', position: [-1, 5, 1] }, { kind: 'DirectionalLight', position: [-0.4, 1, 0.8] }]) {
+      const [lamp, ...target] = lampOf(of);
+      lamp.intensity = 1;
+      scene.add(lamp, ...target);
+    }
+    const box = new three.BoxGeometry(0.6, 0.6, 0.6, 3, 3, 3);
+    const bent = box.attributes.position.clone();
+    for (let i = 0; i < bent.count; ++i) bent.setX(i, bent.getX(i) + 0.8 * bent.getY(i) ** 2);
+    box.morphAttributes.position = [bent];
+    const morphing = new three.Mesh(box), moving = new three.Mesh(new three.TorusGeometry(0.4, 0.15, 8, 20)), receiver = new three.Mesh(new three.PlaneGeometry(1.5, 1.5));
+    morphing.position.set(-1.5, 1, 0.6);
+    receiver.position.set(1.4, 0.8, -1);
+    for (const mesh of [morphing, moving, receiver]) {
+      mesh.castShadow = mesh !== receiver;
+      mesh.receiveShadow = true;
+      mesh.material = new three.MeshStandardMaterial({ side: three.DoubleSide });
+      scene.add(mesh);
+    }
+    whiten(scene);
+    const camera = cameraOf({ from: [5, 4, 6], to: [0, 0.6, 0], fov: 50 }, wide.width / wide.height);
+    const set = (step) => {
+      morphing.morphTargetInfluences[0] = 0.5 + 0.5 * Math.sin(0.7 * step);
+      moving.position.set(-1.5 + 0.2 * (step % 12), 1.5, 1.2);
+      moving.rotation.x = 0.4 * step;
+      receiver.position.z = -1 + 0.1 * (step % 9);
+    };
+    const of = new ExactShadows(renderer, { lookups: 4 }).add(scene);
+    set(0);
+    await drawn(of, scene, camera);
+    let step = 0;
+    for (const since = performance.now(); of.cost.lookedUp !== 4 && performance.now() - since < 60000;) {
+      await new Promise((resolve) => { setTimeout(resolve, 150); });
+      set(++step);
+      of.render(scene, camera);
+    }
+    const steps = [1, 2, 3, 4, 5].map((i) => step + i), lookedUp = [], pictures = [];
+    for (const at of steps) {
+      set(at);
+      of.render(scene, camera);
+      lookedUp.push(of.cost.lookedUp);
+      pictures.push(redOf(renderer));
+    }
+    const methods = of.lights.map(({ light: { type }, method }) => `${type} ${method}`);
+    of.dispose();
+    const masks = new ExactShadows(renderer, { lookups: 0 }).add(scene);
+    await drawn(masks, scene, camera);
+    const wrong = pictures.map((red, i) => {
+      set(steps[i]);
+      masks.render(scene, camera);
+      return redOf(renderer).filter((value, k) => Math.abs(value - red[k]) > 2).length;
+    });
+    const reasons = masks.lights.map(({ method, reason }) => `${method}: ${reason}`);
+    masks.dispose();
+    return { lookedUp, methods, wrong, reasons };
+  }, { wide: size }, release);
+  if (!page) return;
+  assert.deepEqual(told.lookedUp, [4, 4, 4, 4, 4]);
+  assert.deepEqual(told.methods, ['PointLight', 'SpotLight', 'DirectionalLight', 'DirectionalLight'].map((type) => `${type} lookup and movers`));
+  assert.deepEqual(new Set(told.reasons), new Set(['mask: lookups is 0, or its materials have no texture left for a map']));
+  for (const wrong of told.wrong) assert.ok(wrong <= 40, `${told.wrong} pixels differ from masks`);
   await shared.check(page);
 });
