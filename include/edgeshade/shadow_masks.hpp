@@ -191,8 +191,8 @@ class ShadowMasks {
     ///
     /// `lookups`: empty, or for each light the lookup that the host samples as well, or noLookup.
     /// Only the movers of such a light are counted, the casters that its lookup doesn't hold. Its
-    /// mask is 1 where they don't shadow, and undefined outside cones and ranges. Throws
-    /// std::runtime_error if the lookup no longer holds.
+    /// mask is 1 where they don't shadow, and undefined outside cones and ranges, and where there
+    /// is no surface. Throws std::runtime_error if the lookup no longer holds.
     void draw(const MaskView& view, std::span<const MaskLight> lights,
               std::span<const LookupId> lookups = {});
 

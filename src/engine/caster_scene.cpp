@@ -352,14 +352,26 @@ LookupState CasterScene::compare(std::span<const HeldCaster> held, double restMs
     return state;
 }
 
-Box CasterScene::countMovers(FrameLight& light, std::span<const HeldCaster> held,
-                             const Box& visible) {
+std::vector<char> CasterScene::movers(std::span<const HeldCaster> held) const {
     std::vector<char> counts(slots_.size(), 0);
     for (std::size_t i = 0; i < slots_.size(); ++i)
         counts[i] = isCaster(i);
     for (const HeldCaster& of : held)
         counts[of.batch] = 0;
+    return counts;
+}
+
+Box CasterScene::moverBounds(std::span<const HeldCaster> held) const {
+    const std::vector<char> counts = movers(held);
     Box bounds;
+    for (std::size_t i = 0; i < slots_.size(); ++i)
+        if (counts[i]) bounds.add(worldBox(i));
+    return bounds;
+}
+
+void CasterScene::countMovers(FrameLight& light, std::span<const HeldCaster> held,
+                              const Box& visible) {
+    const std::vector<char> counts = movers(held);
     std::vector<std::shared_ptr<const PlanePairShadow>> records(slots_.size());
     for (std::size_t i = 0; i < slots_.size(); ++i) {
         const auto& members = slots_[i].members;
@@ -367,12 +379,10 @@ Box CasterScene::countMovers(FrameLight& light, std::span<const HeldCaster> held
             counts[i] || std::any_of(members.begin(), members.end(),
                                      [&](std::size_t member) { return counts[member]; });
         if (gpu_->batches[i].animated) records[i] = loaded_.planePairs[i];
-        if (counts[i]) bounds.add(worldBox(i));
     }
     light.animatedAlone = true;
     const LayerCasters casters{loaded_.scene, records, loaded_.settings.castMasked};
     light.layers = moverLayers_.bound(casters, light.counted(), stencilLimit, visible);
-    return bounds;
 }
 
 void CasterScene::fillLayers(FrameView& view) {

@@ -66,9 +66,11 @@ class CasterScene {
     /// As in ShadowMasks.
     std::size_t restingState() const { return restingState_; }
 
+    /// Bounds in the world of the casters that aren't held.
+    Box moverBounds(std::span<const HeldCaster> held) const;
     /// Makes a light count only casters that aren't held: sets FrameLight::animatedAlone, its
-    /// layers, and which batches are animated. Returns those casters' bounds in the world.
-    Box countMovers(FrameLight& light, std::span<const HeldCaster> held, const Box& visible);
+    /// layers, and which batches are animated.
+    void countMovers(FrameLight& light, std::span<const HeldCaster> held, const Box& visible);
 
     const LoadedScene& loaded() const { return loaded_; }
     GpuScene& gpu() { return *gpu_; }
@@ -133,6 +135,8 @@ class CasterScene {
     /// Notes that a caster comes, goes, changes or moves.
     void casterChanged(std::size_t batch);
     Box worldBox(std::size_t batch) const;
+    /// By batch, whether it is a caster that isn't held. All that are held must be casters.
+    std::vector<char> movers(std::span<const HeldCaster> held) const;
     bool isCaster(std::size_t batch) const {
         return slots_[batch].use == Slot::Use::mesh && slots_[batch].casts();
     }

@@ -120,29 +120,40 @@ void MaskDrawing::draw(const MaskView& of, const std::vector<Light>& lights,
     fit(of.width, of.height, lights.size());
     vertexRuns = 0;
     const PixelRectangle whole{0, 0, width, height};
+    std::vector<PixelRectangle> parts;
     PixelRectangle reach;
     for (std::size_t i = 0; i < lights.size(); ++i) {
-        view.part.reset();
-        if (looksUp(i)) {
-            const Box movers =
-                casters.countMovers(view.lights[i], lookups.held(ids[i]), view.visible);
-            clearMask(i);
-            view.part = shadowReach(view, movers, view.lights[i].light);
-        }
-        const PixelRectangle drawn = view.part.value_or(whole);
-        if (drawn.empty()) continue;
-        drawLight(view, i);
-        reach = united(reach, drawn);
+        parts.push_back(looksUp(i) ? shadowReach(view, casters.moverBounds(lookups.held(ids[i])),
+                                                 view.lights[i].light)
+                                   : whole);
+        reach = united(reach, parts.back());
     }
     region = {reach.x, reach.y, reach.width, reach.height};
     // Hosts look around each pixel for their surface.
-    view.part = intersection(whole, {reach.x - 2, reach.y - 2, reach.width + 4, reach.height + 4});
-    if (!of.nearness) {
-        nearness.reset();
-        return;
+    const auto around =
+        intersection(whole, {reach.x - 2, reach.y - 2, reach.width + 4, reach.height + 4});
+    if (of.nearness && !nearness) nearness.emplace(capabilities);
+    if (!of.nearness) nearness.reset();
+    // Masks of movers need no surfaces but their depth, which they share with nearness.
+    bool shares = nearness && view.slices.size() == 1;
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        shares = shares && looksUp(i);
+    if (shares) counter.begin(width, height, around);
+    shares = shares && counter.depthStencil();
+    view.part = around;
+    if (shares)
+        nearness->draw(renderer, casters.gpu(), view, request.frustum, counter.depthStencil());
+    view.depthDrawn = shares;
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        if (looksUp(i)) {
+            clearMask(i);
+            casters.countMovers(view.lights[i], lookups.held(ids[i]), view.visible);
+        }
+        view.part = parts[i];
+        if (!parts[i].empty()) drawLight(view, i);
     }
-    if (!nearness) nearness.emplace(capabilities);
-    nearness->draw(renderer, casters.gpu(), view, request.frustum);
+    view.part = around;
+    if (nearness && !shares) nearness->draw(renderer, casters.gpu(), view, request.frustum);
 }
 
 void MaskDrawing::drawLight(const FrameView& view, std::size_t light) {

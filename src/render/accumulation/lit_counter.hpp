@@ -50,6 +50,11 @@ class LitCounter {
                    const FrameView& view, std::size_t light, std::size_t first, std::size_t count,
                    std::span<const FrameLight> others = {}, StageClock* clock = nullptr);
 
+    /// Depth and stencil of its masks, from begin() on; null: the GL can't draw into textures with
+    /// both.
+    const gl::DepthStencil* depthStencil() const {
+        return depthStencil_ ? &*depthStencil_ : nullptr;
+    }
     std::uint32_t lights() const { return lights_; } ///< lights so far
     /// The share of the lights that reach each pixel. Valid until the next call.
     VisibilityLookup visibility();

@@ -173,14 +173,16 @@ void Renderer::drawDepthAndAmbient(const SlicePass& pass) {
     set(state);
     if (pass.first) {
         const glm::vec4 clear =
-            pass.view.mask ? glm::vec4(0.0f)
+            pass.view.mask ? glm::vec4(0.0f, 0.0f, 0.0f, pass.view.depthDrawn ? 1.0f : 0.0f)
             : sum_.linear  ? glm::vec4(LinearTarget::lightShownAs(settings_.background), 1.0f)
                            : glm::vec4(settings_.background, 1.0f);
         glClearColor(clear.r, clear.g, clear.b, clear.a);
     }
     // Clear depth and stencil together: clearing one alone is slow where they share bytes.
     setStencilClear(pass.plan.start());
-    glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | (pass.first ? GL_COLOR_BUFFER_BIT : 0));
+    glClear((pass.view.depthDrawn ? 0 : GL_DEPTH_BUFFER_BIT) | GL_STENCIL_BUFFER_BIT |
+            (pass.first ? GL_COLOR_BUFFER_BIT : 0));
+    if (pass.view.depthDrawn) return;
 
     SurfaceShading shading = shadingOf(pass, light);
     if (light) {

@@ -94,6 +94,9 @@ struct FrameView {
     bool ground = false;                  ///< draw the ground
     bool culls = false;                   ///< as in Scene
     std::optional<PixelRectangle> part{}; ///< the only pixels that are drawn; null: all
+    /// In a mask of a single slice whose lights count animated casters alone: the framebuffer's
+    /// depth is that of the surfaces, and stays.
+    bool depthDrawn = false;
 
     double near() const { return slices.back().near; }
     /// Makes it as new, and keeps the memory of its arrays.
