@@ -1,4 +1,11 @@
-// Writes 0 in all channels; the colour mask selects the ones that are written.
+// Writes one value in all channels, 0 unless VALUE is defined; the colour mask selects the ones that
+// are written.
 precision mediump float;
 
-void main() { gl_FragColor = vec4(0.0); }
+#ifdef VALUE
+uniform float u_value;
+#else
+const float u_value = 0.0;
+#endif
+
+void main() { gl_FragColor = vec4(u_value); }

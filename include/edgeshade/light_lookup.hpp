@@ -16,8 +16,9 @@ namespace edgeshade {
 /// 3. Pass it to ShadowMasks::addLookup(), then uploadLookup(); lookup() gives the result, or the
 ///    reason why there is none.
 /// 4. Put lookupSource("sun") into your shader, set its uniforms, call sun_lit().
-/// 5. When ShadowMasks::isCurrent() returns false, draw masks, and start again once everything is
-///    at rest.
+/// 5. See ShadowMasks::state() in each frame. While the lookup holds and there are movers, draw()
+///    counts them on top: the light reaches a fragment if both sun_lit() and the mask let it. Once
+///    the lookup no longer holds, draw masks of all casters, and start again.
 
 /// Limits of a map.
 struct LookupSettings {
@@ -25,6 +26,9 @@ struct LookupSettings {
     /// This is an upper limit: with few casters the map has fewer.
     int size = 512;
     std::size_t mostBytes = std::size_t{64} << 20; ///< smaller maps are tried before giving up
+    /// Casters that have moved or changed are left out of the map until they have rested for so
+    /// many milliseconds; 0: all casters are in it.
+    double restMs = 500.0;
 };
 
 /// The map of one light while it is built. Needs no GL. Copies share the same work. It may be
@@ -45,6 +49,15 @@ class LookupWork {
 
   private:
     std::shared_ptr<Data> data_;
+};
+
+/// A lookup's casters compared with the present ones.
+struct LookupState {
+    /// The light and all of the lookup's casters are as they were when its work began. Otherwise
+    /// its shadows are wrong.
+    bool holds = false;
+    std::size_t movers = 0; ///< casters that aren't in it
+    std::size_t rested = 0; ///< movers that have rested for the requested time
 };
 
 /// A light's uniforms, with the names that lookupSource("PREFIX") gives them.

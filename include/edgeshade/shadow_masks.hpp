@@ -121,6 +121,11 @@ struct MaskNearness {
                           ///< units
 };
 
+/// A rectangle of pixels, from the lower left.
+struct MaskRegion {
+    int x = 0, y = 0, width = 0, height = 0;
+};
+
 /// The party that preserves the host's GL state during a call.
 enum class StateKeeper {
     engine, ///< the engine restores everything it changes
@@ -141,6 +146,12 @@ struct MaskCost {
 class ShadowMasks {
   public:
     using Id = std::uint32_t;
+    using LookupId = std::uint32_t;
+    /// In draw(): all casters of the light are counted.
+    static constexpr LookupId noLookup = ~LookupId{0};
+    /// Milliseconds after which a caster that has moved counts as being at rest, see
+    /// restingState().
+    static constexpr double longRestMs = 5000.0;
     /// Maps a GL function's name to its address or null, as eglGetProcAddress() does.
     using LookUp = void* (*)(const char*);
 
@@ -177,18 +188,26 @@ class ShadowMasks {
     /// surface and the light; 0 in shadow and outside cones and ranges. For a light with an extent
     /// it is the share of its points that are visible. 1 where there is no surface. Leaves the GL's
     /// state as it was, see docs/engine.md.
-    void draw(const MaskView& view, std::span<const MaskLight> lights);
+    ///
+    /// `lookups`: empty, or for each light the lookup that the host samples as well, or noLookup.
+    /// Only the movers of such a light are counted, the casters that its lookup doesn't hold. Its
+    /// mask is 1 where they don't shadow, and undefined outside cones and ranges, and where there
+    /// is no surface. Throws std::runtime_error if the lookup no longer holds.
+    void draw(const MaskView& view, std::span<const MaskLight> lights,
+              std::span<const LookupId> lookups = {});
 
     /// GL names of RGBA textures of the view's size with nearest filtering, one for every four
     /// lights, valid until the next draw(). The host doesn't delete them.
     std::span<const unsigned> textures() const;
     /// Nearness of the last draw(), valid until the next.
     const MaskNearness& nearness() const;
+    /// The pixels where a mask of the last draw() may be less than 1. Beyond it masks needn't be
+    /// sampled, and nearness is undefined.
+    const MaskRegion& region() const;
     const MaskCost& cost() const;
 
-    using LookupId = std::uint32_t;
-
-    /// Takes a snapshot of the casters and a light; see light_lookup.hpp. Needs no context.
+    /// Takes a snapshot of the resting casters (LookupSettings::restMs) and a light; see
+    /// light_lookup.hpp. Needs no context.
     LookupWork lookupWork(const MaskLight& light, const LookupSettings& settings = {}) const;
     /// Takes the map out of finished work and creates its texture, which uploadLookup() fills.
     /// Throws std::runtime_error if the work isn't done, or was added before.
@@ -197,13 +216,20 @@ class ShadowMasks {
     /// wait. Returns whether the upload is complete, which it is at once if there is no map.
     bool uploadLookup(LookupId id, std::size_t mostBytes = std::numeric_limits<std::size_t>::max());
     const LightLookup& lookup(LookupId id) const;
-    /// Changes whenever casters, or their places, have changed: while it stays the same, lights can
-    /// be at rest.
+    /// Changes whenever casters, or their places, have changed.
     std::size_t casterState() const;
-    /// Whether all casters are as they were when the work began, and the light too, except for
-    /// properties that shadows don't depend on. Keep the lookup when this is false: what moved may
-    /// come back.
-    bool isCurrent(LookupId id, const MaskLight& light) const;
+    /// Changes whenever a caster is added or removed, and when one moves or changes that had never
+    /// moved before or had rested for longRestMs. A lookup that is built while it stays the same
+    /// will probably hold for long.
+    std::size_t restingState() const;
+    /// Compares a lookup's casters with the present ones. The light has to be as it was,
+    /// except for properties that shadows don't depend on. `restMs`: for LookupState::rested.
+    LookupState state(LookupId id, const MaskLight& light, double restMs = longRestMs) const;
+    /// Whether the lookup holds, and there are no movers: it needs no mask.
+    bool isCurrent(LookupId id, const MaskLight& light) const {
+        const LookupState now = state(id, light);
+        return now.holds && now.movers == 0;
+    }
     void removeLookup(LookupId id);
 
   private:

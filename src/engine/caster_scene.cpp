@@ -39,6 +39,7 @@ CasterScene::Id CasterScene::add(const PreparedMesh& mesh, const Matrix16& world
     slots_[batch].use = Slot::Use::mesh;
     put(batch, mesh);
     place(batch, at);
+    slots_[batch].rest.moved = false;
     return static_cast<Id>(batch);
 }
 
@@ -117,7 +118,7 @@ void CasterScene::setClippings(Id id, std::span<const MaskClipping> clippings) {
         disturb(id);
         show(id, slots_[id].mesh);
     }
-    if (slots_[id].caster != before && (cast || slots_[id].casts())) ++casterState_;
+    if (slots_[id].caster != before && (cast || slots_[id].casts())) casterChanged(id);
 }
 
 bool CasterScene::clip(std::size_t batch) {
@@ -134,7 +135,7 @@ bool CasterScene::clip(std::size_t batch) {
 void CasterScene::remove(Id id) {
     requireKnown(id);
     disturb(id);
-    if (slots_[id].casts()) ++casterState_;
+    if (slots_[id].casts()) casterChanged(id);
     release(id);
 }
 
@@ -150,7 +151,7 @@ void CasterScene::requireKnown(Id id) const {
 
 void CasterScene::place(std::size_t batch, const glm::dmat4& worldFromBatch) {
     if (slots_[batch].casts() && loaded_.scene.batches[batch].worldFromBatch != worldFromBatch)
-        ++casterState_;
+        casterChanged(batch);
     loaded_.scene.batches[batch].worldFromBatch = worldFromBatch;
     gpu_->batches[batch].worldFromBatch = worldFromBatch;
     changed();
@@ -164,7 +165,7 @@ void CasterScene::put(std::size_t batch, const PreparedMesh& mesh) {
     slot.changed = draws_;
     slot.own = boundsOf(*slot.whole->geometry);
     clip(batch);
-    if (cast || slot.casts()) ++casterState_;
+    if (cast || slot.casts()) casterChanged(batch);
     show(batch, slot.mesh);
 }
 
@@ -208,11 +209,17 @@ std::vector<MergeCandidate> CasterScene::candidates() const {
         of.number = i;
         of.material = slot.mesh->material();
         of.triangles = slot.mesh->triangles();
-        for (int corner = 0; corner < 8; ++corner)
-            of.box.add(loaded_.scene.batches[i].worldFromBatch *
-                       glm::dvec4(slot.own.corner(corner), 1.0));
+        of.box = worldBox(i);
     }
     return found;
+}
+
+Box CasterScene::worldBox(std::size_t batch) const {
+    Box box;
+    for (int corner = 0; corner < 8; ++corner)
+        box.add(loaded_.scene.batches[batch].worldFromBatch *
+                glm::dvec4(slots_[batch].own.corner(corner), 1.0));
+    return box;
 }
 
 void CasterScene::mergeResting() {
@@ -252,6 +259,12 @@ std::size_t CasterScene::drawnBatches() const {
     return static_cast<std::size_t>(
         std::count_if(loaded_.scene.batches.begin(), loaded_.scene.batches.end(),
                       [](const Batch& of) { return !of.geometry->indices.empty(); }));
+}
+
+void CasterScene::casterChanged(std::size_t batch) {
+    CasterRest& rest = slots_[batch].rest;
+    if (!rest.moves(ShadowMasks::longRestMs)) ++restingState_;
+    rest = {++casterState_, std::chrono::steady_clock::now(), true};
 }
 
 void CasterScene::changed() {
@@ -303,12 +316,73 @@ void CasterScene::upload() {
         batch.owns = owned.insert(batch.volumes.planePairs.get()).second;
 }
 
-std::vector<LookupTask::Caster> CasterScene::casters() const {
-    std::vector<LookupTask::Caster> all;
+bool CasterScene::hasCasters() const {
     for (std::size_t i = 0; i < slots_.size(); ++i)
-        if (slots_[i].use == Slot::Use::mesh && slots_[i].casts())
-            all.push_back({slots_[i].caster->shadow, loaded_.scene.batches[i].worldFromBatch});
+        if (isCaster(i)) return true;
+    return false;
+}
+
+CasterScene::Casters CasterScene::resting(double restMs) const {
+    Casters all;
+    for (std::size_t i = 0; i < slots_.size(); ++i) {
+        if (!isCaster(i) || slots_[i].rest.moves(restMs)) continue;
+        all.casters.push_back({slots_[i].caster->shadow, loaded_.scene.batches[i].worldFromBatch});
+        all.held.push_back({i, slots_[i].rest.version});
+    }
     return all;
+}
+
+LookupState CasterScene::compare(std::span<const HeldCaster> held, double restMs) const {
+    LookupState state;
+    std::vector<char> isHeld(slots_.size(), 0);
+    state.holds = true;
+    for (const HeldCaster& of : held) {
+        const bool same = of.batch < slots_.size() && isCaster(of.batch) &&
+                          slots_[of.batch].rest.version == of.version;
+        if (same)
+            isHeld[of.batch] = 1;
+        else
+            state.holds = false;
+    }
+    for (std::size_t i = 0; i < slots_.size(); ++i) {
+        if (!isCaster(i) || isHeld[i]) continue;
+        ++state.movers;
+        if (slots_[i].rest.milliseconds() >= restMs) ++state.rested;
+    }
+    return state;
+}
+
+std::vector<char> CasterScene::movers(std::span<const HeldCaster> held) const {
+    std::vector<char> counts(slots_.size(), 0);
+    for (std::size_t i = 0; i < slots_.size(); ++i)
+        counts[i] = isCaster(i);
+    for (const HeldCaster& of : held)
+        counts[of.batch] = 0;
+    return counts;
+}
+
+Box CasterScene::moverBounds(std::span<const HeldCaster> held) const {
+    const std::vector<char> counts = movers(held);
+    Box bounds;
+    for (std::size_t i = 0; i < slots_.size(); ++i)
+        if (counts[i]) bounds.add(worldBox(i));
+    return bounds;
+}
+
+void CasterScene::countMovers(FrameLight& light, std::span<const HeldCaster> held,
+                              const Box& visible) {
+    const std::vector<char> counts = movers(held);
+    std::vector<std::shared_ptr<const PlanePairShadow>> records(slots_.size());
+    for (std::size_t i = 0; i < slots_.size(); ++i) {
+        const auto& members = slots_[i].members;
+        gpu_->batches[i].animated =
+            counts[i] || std::any_of(members.begin(), members.end(),
+                                     [&](std::size_t member) { return counts[member]; });
+        if (gpu_->batches[i].animated) records[i] = loaded_.planePairs[i];
+    }
+    light.animatedAlone = true;
+    const LayerCasters casters{loaded_.scene, records, loaded_.settings.castMasked};
+    light.layers = moverLayers_.bound(casters, light.counted(), stencilLimit, visible);
 }
 
 void CasterScene::fillLayers(FrameView& view) {

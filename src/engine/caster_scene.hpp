@@ -1,11 +1,13 @@
 #pragma once
 
 #include "edgeshade/shadow_masks.hpp"
+#include "src/engine/caster_rest.hpp"
 #include "src/engine/lookup_work.hpp"
 #include "src/engine/mesh_clip.hpp"
 #include "src/engine/mesh_merging.hpp"
 #include "src/scene/gpu_scene.hpp"
 #include "src/scene/load.hpp"
+#include "src/shadow/layers/layer_search.hpp"
 #include "src/shadow/view/kept_layers.hpp"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -46,13 +48,29 @@ class CasterScene {
     void upload(const PreparedMesh& mesh);
     /// Uploads all meshes that are missing on the GPU, each mesh once.
     void upload();
-    /// Fills in the layers of the view's lights.
+    /// Fills in the layers of the view's lights, except those that count movers alone.
     void fillLayers(FrameView& view);
 
-    /// All casters, in their places.
-    std::vector<LookupTask::Caster> casters() const;
+    bool hasCasters() const;
+    /// Casters for a light's map, in their places.
+    struct Casters {
+        std::vector<LookupTask::Caster> casters;
+        std::vector<HeldCaster> held; ///< the same ones
+    };
+    /// All casters except movers: those that have moved, and have rested less than `restMs`.
+    Casters resting(double restMs) const;
+    /// Compares the casters in a map with the present ones, as in ShadowMasks::state().
+    LookupState compare(std::span<const HeldCaster> held, double restMs) const;
     /// Changes whenever a caster changes or moves.
     std::size_t casterState() const { return casterState_; }
+    /// As in ShadowMasks.
+    std::size_t restingState() const { return restingState_; }
+
+    /// Bounds in the world of the casters that aren't held.
+    Box moverBounds(std::span<const HeldCaster> held) const;
+    /// Makes a light count only casters that aren't held: sets FrameLight::animatedAlone, its
+    /// layers, and which batches are animated.
+    void countMovers(FrameLight& light, std::span<const HeldCaster> held, const Box& visible);
 
     const LoadedScene& loaded() const { return loaded_; }
     GpuScene& gpu() { return *gpu_; }
@@ -82,6 +100,7 @@ class CasterScene {
         std::shared_ptr<const PreparedMesh::Data> whole, caster, mesh;
         std::vector<MeshClip> clips; ///< those that cut casters come first
         MaskAlpha alpha;
+        CasterRest rest{};                       ///< as a caster
         Box own;                                 ///< of the whole mesh, in its space
         std::size_t changed = 0;                 ///< the draw() before which it last changed
         std::size_t patience = shortRest;        ///< draws that it has to rest before it is merged
@@ -113,6 +132,14 @@ class CasterScene {
     void makeMerged(const std::vector<std::size_t>& members);
     AlphaLookup lookupOf(const MaskAlpha& alpha) const;
     void changed();
+    /// Notes that a caster comes, goes, changes or moves.
+    void casterChanged(std::size_t batch);
+    Box worldBox(std::size_t batch) const;
+    /// By batch, whether it is a caster that isn't held. All that are held must be casters.
+    std::vector<char> movers(std::span<const HeldCaster> held) const;
+    bool isCaster(std::size_t batch) const {
+        return slots_[batch].use == Slot::Use::mesh && slots_[batch].casts();
+    }
 
     SidesLayout layout_;
     LoadedScene loaded_;
@@ -122,8 +149,9 @@ class CasterScene {
     std::map<const PlanePairShadow*, Ahead> ahead_;
     std::size_t draws_ = 0,
                 mergedTriangles_ = 0; ///< calls of mergeResting(); triangles of merged meshes
-    std::size_t casterState_ = 0;
+    std::size_t casterState_ = 0, restingState_ = 0;
     KeptLayers layers_;
+    LayerSearch moverLayers_;
     // Empty, or out of date: something has moved since they were computed.
     std::optional<Box> bounds_;
     SceneTree tree_;

@@ -35,7 +35,7 @@ LightLookups::Id LightLookups::add(const LookupWork& work) {
     LookupWork::Data& data = *work.data();
     if (!data.done) throw InputError("A light's map was added before its work was done.");
     if (std::exchange(data.taken, true)) throw InputError("A light's map was added twice.");
-    Kept kept{data.task.light, data.casterState, std::move(data.built.map.texels), {}, 0, {}};
+    Kept kept{data.task.light, std::move(data.held), std::move(data.built.map.texels), {}, 0, {}};
     kept.told.why = data.built.why;
     if (kept.told.why.empty()) {
         try {
@@ -73,9 +73,8 @@ void LightLookups::remove(Id id) {
     kept_.erase(id);
 }
 
-bool LightLookups::isCurrent(Id id, const Light& light, std::size_t casterState) const {
-    const Kept& of = at(id);
-    return of.casterState == casterState && of.light.position == light.position && !light.extent;
+bool LightLookups::isOf(Id id, const Light& light) const {
+    return at(id).light.position == light.position && !light.extent;
 }
 
 std::size_t LightLookups::bytes() const {

@@ -4,6 +4,7 @@
 #include "src/gl/float_table.hpp"
 
 #include <map>
+#include <span>
 #include <utility>
 
 namespace edgeshade {
@@ -26,13 +27,16 @@ class LightLookups {
     void remove(Id id);
 
     const LightLookup& told(Id id) const { return at(id).told; }
-    bool isCurrent(Id id, const Light& light, std::size_t casterState) const;
+    /// The casters in the map.
+    std::span<const HeldCaster> held(Id id) const { return at(id).held; }
+    /// Whether the map is of this light, except for properties that shadows don't depend on.
+    bool isOf(Id id, const Light& light) const;
     std::size_t bytes() const;
 
   private:
     struct Kept {
         Light light;
-        std::size_t casterState = 0;
+        std::vector<HeldCaster> held;
         std::vector<glm::vec4> texels; ///< until they are uploaded
         gl::FloatTable table;
         std::size_t uploaded = 0; ///< texels

@@ -56,10 +56,10 @@ void LookupWork::finish() {
     data_->built.milliseconds += 1e3 * watch.lap();
 }
 
-LookupWork workOn(LookupTask task, std::size_t casterState) {
+LookupWork workOn(LookupTask task, std::vector<HeldCaster> held) {
     auto data = std::make_shared<LookupWork::Data>();
     data->task = std::move(task);
-    data->casterState = casterState;
+    data->held = std::move(held);
     return LookupWork(std::move(data));
 }
 

@@ -9,6 +9,12 @@
 
 namespace edgeshade {
 
+/// A caster in a light's map.
+struct HeldCaster {
+    std::size_t batch = 0;
+    std::size_t version = 0; ///< unique to its shape and place
+};
+
 /// Input for building a light's map.
 struct LookupTask {
     struct Caster {
@@ -33,7 +39,7 @@ struct LookupWork::Data {
     bool step();
 
     LookupTask task;
-    std::size_t casterState = 0; ///< state of the casters when `task` was recorded
+    std::vector<HeldCaster> held; ///< the task's casters
     BuiltLookup built;
     bool done = false, taken = false;
 
@@ -43,6 +49,6 @@ struct LookupWork::Data {
 };
 
 /// Work on a task, not yet started.
-LookupWork workOn(LookupTask task, std::size_t casterState);
+LookupWork workOn(LookupTask task, std::vector<HeldCaster> held);
 
 } // namespace edgeshade

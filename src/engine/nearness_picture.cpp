@@ -3,8 +3,8 @@
 namespace edgeshade {
 
 void NearnessPicture::draw(Renderer& renderer, const GpuScene& scene, const FrameView& view,
-                           const Frustum& asked) {
-    target_.bind(view.width, view.height);
+                           const Frustum& asked, const gl::DepthStencil* shared) {
+    target_.bind(view.width, view.height, shared);
     renderer.drawNearness(scene, view);
     told_.texture = target_.texture();
     told_.scale = view.near();

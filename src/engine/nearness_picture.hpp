@@ -11,10 +11,10 @@ class NearnessPicture {
   public:
     explicit NearnessPicture(const gl::Capabilities& capabilities) : target_(capabilities) {}
 
-    /// `asked`: the frustum that the host requested. Leaves its framebuffer bound. Throws
-    /// Error(unavailable) if the GL can't draw so.
+    /// `asked`: the frustum that the host requested; `shared`: depth to draw with, null: its own.
+    /// Leaves its framebuffer bound. Throws Error(unavailable) if the GL can't draw so.
     void draw(Renderer& renderer, const GpuScene& scene, const FrameView& view,
-              const Frustum& asked);
+              const Frustum& asked, const gl::DepthStencil* shared = nullptr);
 
     const MaskNearness& told() const { return told_; }
     std::size_t bytes() const { return target_.bytes(); }

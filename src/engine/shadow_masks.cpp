@@ -8,7 +8,9 @@
 #include "src/engine/light_lookups.hpp"
 #include "src/engine/nearness_picture.hpp"
 #include "src/gl/host_state.hpp"
+#include "src/gl/scissor.hpp"
 #include "src/render/accumulation/lit_counter.hpp"
+#include "src/shadow/view/light_reach.hpp"
 
 #include <bit>
 #include <GLES2/gl2.h>
@@ -57,8 +59,15 @@ struct MaskDrawing {
         : capabilities(of), renderer(settingsFor(of), of), casters(renderer.settings().layout, of),
           counter(of), channel(shaders::mask_channel_frag), lookups(of) {}
 
-    void draw(const MaskView& view, const std::vector<Light>& lights);
+    /// `of`: by light, see ShadowMasks::draw().
+    void draw(const MaskView& view, const std::vector<Light>& lights,
+              std::span<const ShadowMasks::LookupId> of);
+    /// `view`: perhaps a part of it, beyond which the light's mask is 1.
     void drawLight(const FrameView& view, std::size_t light);
+    /// Makes a light's mask 1.
+    void clearMask(std::size_t light);
+    /// Binds the framebuffer and the channel of a light's mask.
+    void bindMask(std::size_t light);
     void fit(int width, int height, std::size_t lights);
 
     gl::Capabilities capabilities;
@@ -70,6 +79,7 @@ struct MaskDrawing {
     std::vector<gl::ColorTarget> masks;
     std::vector<unsigned> names;
     std::optional<NearnessPicture> nearness;
+    MaskRegion region;
     int width = 0, height = 0;
     std::size_t vertexRuns = 0;
 };
@@ -87,7 +97,8 @@ void MaskDrawing::fit(int newWidth, int newHeight, std::size_t lights) {
         names.push_back(mask.texture.name());
 }
 
-void MaskDrawing::draw(const MaskView& of, const std::vector<Light>& lights) {
+void MaskDrawing::draw(const MaskView& of, const std::vector<Light>& lights,
+                       std::span<const ShadowMasks::LookupId> ids) {
     FrameRequest request{.frustum =
                              frustumOf(matrixOf(of.viewFromWorld), matrixOf(of.clipFromView)),
                          .width = of.width,
@@ -99,22 +110,54 @@ void MaskDrawing::draw(const MaskView& of, const std::vector<Light>& lights) {
     request.nearestDepths = false; // volumes are drawn from plane-pair records
     FrameView view =
         makeFrameView(casters.loaded().scene, request, casters.bounds(), casters.tree());
+    const auto looksUp = [&](std::size_t i) {
+        return !ids.empty() && ids[i] != ShadowMasks::noLookup;
+    };
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        view.lights[i].animatedAlone = looksUp(i);
     casters.fillLayers(view);
     view.mask = view.sumsMasks = true;
     fit(of.width, of.height, lights.size());
     vertexRuns = 0;
-    for (std::size_t i = 0; i < lights.size(); ++i)
-        drawLight(view, i);
-    if (!of.nearness) {
-        nearness.reset();
-        return;
+    const PixelRectangle whole{0, 0, width, height};
+    std::vector<PixelRectangle> parts;
+    PixelRectangle reach;
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        parts.push_back(looksUp(i) ? shadowReach(view, casters.moverBounds(lookups.held(ids[i])),
+                                                 view.lights[i].light)
+                                   : whole);
+        reach = united(reach, parts.back());
     }
-    if (!nearness) nearness.emplace(capabilities);
-    nearness->draw(renderer, casters.gpu(), view, request.frustum);
+    region = {reach.x, reach.y, reach.width, reach.height};
+    // Hosts look around each pixel for their surface.
+    const auto around =
+        intersection(whole, {reach.x - 2, reach.y - 2, reach.width + 4, reach.height + 4});
+    if (of.nearness && !nearness) nearness.emplace(capabilities);
+    if (!of.nearness) nearness.reset();
+    // Masks of movers need no surfaces but their depth, which they share with nearness.
+    bool shares = nearness && view.slices.size() == 1;
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        shares = shares && looksUp(i);
+    if (shares) counter.begin(width, height, around);
+    shares = shares && counter.depthStencil();
+    view.part = around;
+    if (shares)
+        nearness->draw(renderer, casters.gpu(), view, request.frustum, counter.depthStencil());
+    view.depthDrawn = shares;
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        if (looksUp(i)) {
+            clearMask(i);
+            casters.countMovers(view.lights[i], lookups.held(ids[i]), view.visible);
+        }
+        view.part = parts[i];
+        if (!parts[i].empty()) drawLight(view, i);
+    }
+    view.part = around;
+    if (nearness && !shares) nearness->draw(renderer, casters.gpu(), view, request.frustum);
 }
 
 void MaskDrawing::drawLight(const FrameView& view, std::size_t light) {
-    counter.begin(width, height);
+    counter.begin(width, height, view.part);
     const std::size_t points = view.lights[light].points.size();
     if (points == 0) {
         FrameView alone = view;
@@ -126,18 +169,30 @@ void MaskDrawing::drawLight(const FrameView& view, std::size_t light) {
     }
     vertexRuns += renderer.vertexRuns();
     const VisibilityLookup seen = counter.visibility();
-    glBindFramebuffer(GL_FRAMEBUFFER, masks[light / channels].framebuffer.name());
-    glViewport(0, 0, width, height);
-    for (const GLenum off : {GL_DEPTH_TEST, GL_STENCIL_TEST, GL_SCISSOR_TEST, GL_BLEND, GL_DITHER})
-        glDisable(off);
-    const auto writes = [&](std::size_t c) -> GLboolean { return light % channels == c; };
-    glColorMask(writes(0), writes(1), writes(2), writes(3));
+    bindMask(light);
+    const gl::ScissorScope cut(view.part);
     const gl::Program& program = channel.use();
     program.setTexture("u_visibility", 0, seen.texture);
     program.set("u_texel", 1.0f / seen.size);
     channel.draw();
     glBindTexture(GL_TEXTURE_2D, 0);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void MaskDrawing::clearMask(std::size_t light) {
+    bindMask(light);
+    glClearColor(1.0f, 1.0f, 1.0f, 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void MaskDrawing::bindMask(std::size_t light) {
+    glBindFramebuffer(GL_FRAMEBUFFER, masks[light / channels].framebuffer.name());
+    glViewport(0, 0, width, height);
+    for (const GLenum off : {GL_DEPTH_TEST, GL_STENCIL_TEST, GL_SCISSOR_TEST, GL_BLEND, GL_DITHER})
+        glDisable(off);
+    const auto writes = [&](std::size_t c) -> GLboolean { return light % channels == c; };
+    glColorMask(writes(0), writes(1), writes(2), writes(3));
 }
 
 struct ShadowMasks::Impl {
@@ -216,7 +271,8 @@ void ShadowMasks::remove(Id id) {
     impl_->drawing->casters.remove(id);
 }
 
-void ShadowMasks::draw(const MaskView& view, std::span<const MaskLight> lights) {
+void ShadowMasks::draw(const MaskView& view, std::span<const MaskLight> lights,
+                       std::span<const LookupId> lookups) {
     const std::vector<Light> planned = lightsOf(lights);
     if (planned.size() > mostLights)
         throw InputError(std::to_string(planned.size()) + " lights are more than the " +
@@ -227,10 +283,23 @@ void ShadowMasks::draw(const MaskView& view, std::span<const MaskLight> lights) 
     if (view.lightSamples < 1 || view.lightSamples > mostLightPoints)
         throw InputError("Lights have 1 to " + std::to_string(mostLightPoints) + " samples, not " +
                          std::to_string(view.lightSamples) + ".");
+    if (!lookups.empty() && lookups.size() != lights.size())
+        throw InputError(std::to_string(lookups.size()) + " lookups were passed for " +
+                         std::to_string(lights.size()) + " lights.");
+    for (std::size_t i = 0; i < lookups.size(); ++i) {
+        if (lookups[i] == noLookup) continue;
+        const auto refuse = [&](const std::string& why) {
+            throw InputError("Lookup " + std::to_string(lookups[i]) + " of light " +
+                             std::to_string(i) + why);
+        };
+        if (!lookup(lookups[i]).uploaded) refuse(" isn't uploaded.");
+        if (!state(lookups[i], lights[i]).holds)
+            refuse(" no longer holds: the light or a caster in it has moved.");
+    }
     Stopwatch watch;
     MaskDrawing& drawing = *impl_->drawing;
     MaskCost cost;
-    cost.hostError = impl_->withStateKept([&] { drawing.draw(view, planned); });
+    cost.hostError = impl_->withStateKept([&] { drawing.draw(view, planned, lookups); });
     cost.buildMs = std::exchange(impl_->buildMs, 0.0);
     cost.drawMs = 1e3 * watch.lap();
     cost.vertexRuns = drawing.vertexRuns;
@@ -252,6 +321,10 @@ const MaskNearness& ShadowMasks::nearness() const {
     return impl_->drawing->nearness ? impl_->drawing->nearness->told() : none;
 }
 
+const MaskRegion& ShadowMasks::region() const {
+    return impl_->drawing->region;
+}
+
 const MaskCost& ShadowMasks::cost() const {
     return impl_->cost;
 }
@@ -262,9 +335,15 @@ LookupWork ShadowMasks::lookupWork(const MaskLight& light, const LookupSettings&
         throw InputError(
             "A map of " + std::to_string(settings.size) +
             " texels along its edge can't be made: the size must be a power of 2, at least 4.");
-    LookupTask task{lightsOf({&light, 1}).front(), settings, drawing.casters.casters(), {}};
+    if (!(settings.restMs >= 0.0))
+        throw InputError("Casters can't rest for " + std::to_string(settings.restMs) +
+                         " milliseconds: restMs must be 0 or more.");
+    CasterScene::Casters resting = drawing.casters.resting(settings.restMs);
+    LookupTask task{lightsOf({&light, 1}).front(), settings, std::move(resting.casters), {}};
     task.why = drawing.lookups.obstacle(task.light);
-    return workOn(std::move(task), drawing.casters.casterState());
+    if (task.why.empty() && task.casters.empty() && drawing.casters.hasCasters())
+        task.why = "all casters move";
+    return workOn(std::move(task), std::move(resting.held));
 }
 
 ShadowMasks::LookupId ShadowMasks::addLookup(const LookupWork& work) {
@@ -287,10 +366,15 @@ std::size_t ShadowMasks::casterState() const {
     return impl_->drawing->casters.casterState();
 }
 
-bool ShadowMasks::isCurrent(LookupId id, const MaskLight& light) const {
+std::size_t ShadowMasks::restingState() const {
+    return impl_->drawing->casters.restingState();
+}
+
+LookupState ShadowMasks::state(LookupId id, const MaskLight& light, double restMs) const {
     const MaskDrawing& drawing = *impl_->drawing;
-    return drawing.lookups.isCurrent(id, lightsOf({&light, 1}).front(),
-                                     drawing.casters.casterState());
+    LookupState state = drawing.casters.compare(drawing.lookups.held(id), restMs);
+    state.holds = state.holds && drawing.lookups.isOf(id, lightsOf({&light, 1}).front());
+    return state;
 }
 
 void ShadowMasks::removeLookup(LookupId id) {

@@ -15,15 +15,18 @@ PixelRectangle scissored(int width, int height) {
     return intersection(whole, {box[0], box[1], box[2], box[3]});
 }
 
-ScissorScope::ScissorScope(const PixelRectangle& rectangle)
-    : enabled_(glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE) {
+ScissorScope::ScissorScope(const std::optional<PixelRectangle>& rectangle)
+    : restricts_(rectangle.has_value()) {
+    if (!restricts_) return;
+    enabled_ = glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE;
     if (enabled_ || !inBrowser) glGetIntegerv(GL_SCISSOR_BOX, box_);
     glEnable(GL_SCISSOR_TEST);
-    glScissor(rectangle.x, rectangle.y, std::max(0, rectangle.width),
-              std::max(0, rectangle.height));
+    glScissor(rectangle->x, rectangle->y, std::max(0, rectangle->width),
+              std::max(0, rectangle->height));
 }
 
 ScissorScope::~ScissorScope() {
+    if (!restricts_) return;
     if (enabled_ || !inBrowser) glScissor(box_[0], box_[1], box_[2], box_[3]);
     if (!enabled_) glDisable(GL_SCISSOR_TEST);
 }

@@ -149,4 +149,41 @@ void HostPicture::draw(const Geometry& geometry, const Matrix16& worldFromObject
     glDeleteBuffers(1, &buffer);
 }
 
+Wrong compared(const Mask& mask, const Mask& expected) {
+    Wrong wrong;
+    for (int y = 0; y < hostHeight; ++y)
+        for (int x = 0; x < hostWidth; ++x) {
+            const auto at = [](int u, int v) {
+                return static_cast<std::size_t>(v * hostWidth + u);
+            };
+            const std::uint8_t here = expected[at(x, y)];
+            if (mask[at(x, y)] == here) continue;
+            ++wrong.all;
+            bool boundary = false;
+            for (int v = std::max(0, y - 1); v <= std::min(hostHeight - 1, y + 1); ++v)
+                for (int u = std::max(0, x - 1); u <= std::min(hostWidth - 1, x + 1); ++u)
+                    boundary |= expected[at(u, v)] != here;
+            wrong.beyond += !boundary;
+        }
+    return wrong;
+}
+
+Mask redOf(const gl::HeadlessContext& context) {
+    const std::vector<std::uint8_t> rgba = context.readPixels();
+    Mask mask;
+    for (std::size_t i = 0; i < rgba.size(); i += 4)
+        mask.push_back(rgba[i]);
+    return mask;
+}
+
+ShadowMasks::LookupId lookedUp(ShadowMasks& masks, const MaskLight& light,
+                               const LookupSettings& settings) {
+    LookupWork work = masks.lookupWork(light, settings);
+    work.finish();
+    const auto id = masks.addLookup(work);
+    while (!masks.uploadLookup(id, 100000)) { // in pieces
+    }
+    return id;
+}
+
 } // namespace edgeshade::test

@@ -28,4 +28,20 @@ class HostPicture {
     MaskView view_;
 };
 
+/// One byte per pixel, rows top to bottom.
+using Mask = std::vector<std::uint8_t>;
+
+/// The red of the bound framebuffer.
+Mask redOf(const gl::HeadlessContext& context);
+
+/// Pixels that differ, and those among them whose neighbours are all equal in the expected mask.
+struct Wrong {
+    std::size_t all = 0, beyond = 0;
+};
+Wrong compared(const Mask& mask, const Mask& expected);
+
+/// Builds a lookup and uploads it in pieces.
+ShadowMasks::LookupId lookedUp(ShadowMasks& masks, const MaskLight& light,
+                               const LookupSettings& settings = {});
+
 } // namespace edgeshade::test

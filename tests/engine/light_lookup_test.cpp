@@ -14,50 +14,6 @@ using namespace test;
 
 const Camera corner{{5, 4, 6}, {0, 0.5, 0}, 50.0};
 
-using Mask = std::vector<std::uint8_t>;
-
-/// Pixels that differ, and those among them whose neighbours are all equal in the expected mask.
-struct Wrong {
-    std::size_t all = 0, beyond = 0;
-};
-
-Wrong compared(const Mask& mask, const Mask& expected) {
-    Wrong wrong;
-    for (int y = 0; y < hostHeight; ++y)
-        for (int x = 0; x < hostWidth; ++x) {
-            const auto at = [](int u, int v) {
-                return static_cast<std::size_t>(v * hostWidth + u);
-            };
-            const std::uint8_t here = expected[at(x, y)];
-            if (mask[at(x, y)] == here) continue;
-            ++wrong.all;
-            bool boundary = false;
-            for (int v = std::max(0, y - 1); v <= std::min(hostHeight - 1, y + 1); ++v)
-                for (int u = std::max(0, x - 1); u <= std::min(hostWidth - 1, x + 1); ++u)
-                    boundary |= expected[at(u, v)] != here;
-            wrong.beyond += !boundary;
-        }
-    return wrong;
-}
-
-Mask redOf(const gl::HeadlessContext& context) {
-    const std::vector<std::uint8_t> rgba = context.readPixels();
-    Mask mask;
-    for (std::size_t i = 0; i < rgba.size(); i += 4)
-        mask.push_back(rgba[i]);
-    return mask;
-}
-
-ShadowMasks::LookupId lookedUp(ShadowMasks& masks, const MaskLight& light,
-                               const LookupSettings& settings = {}) {
-    LookupWork work = masks.lookupWork(light, settings);
-    work.finish();
-    const auto id = masks.addLookup(work);
-    while (!masks.uploadLookup(id, 100000)) { // in pieces
-    }
-    return id;
-}
-
 std::vector<HostPicture::Language> languages(const gl::Capabilities& has) {
     std::vector<HostPicture::Language> known = {{false, true}, {false, false}};
     if (has.version.starts_with("OpenGL ES 3")) known.push_back({true, true});
@@ -203,11 +159,12 @@ TEST(LightLookup, IsOutOfDateOnceACasterOrTheLightIsElsewhere) {
     MaskMesh receiver = meshOf(geometryOf(box));
     receiver.casts = false;
     const auto caster = masks.add(meshOf(geometryOf(box)), aside), other = masks.add(receiver);
-    auto id = lookedUp(masks, light);
+    const LookupSettings ofAll{.restMs = 0.0};
+    auto id = lookedUp(masks, light, ofAll);
     const auto renewed = [&] {
         const bool current = masks.isCurrent(id, light);
         masks.removeLookup(id);
-        id = lookedUp(masks, light);
+        id = lookedUp(masks, light, ofAll);
         return !current;
     };
     masks.move(caster, aside);

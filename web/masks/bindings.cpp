@@ -127,25 +127,31 @@ class PageMasks {
         return done([&] { masks().remove(idOf(id)); });
     }
 
-    /// `matrices`: viewFromWorld, clipFromView.
+    /// `matrices`: viewFromWorld, clipFromView; `lights`: each with its lookup's id after its
+    /// numbers, -1 for none.
     bool draw(int width, int height, std::uintptr_t matrices, std::uintptr_t lights,
               std::size_t lightCount, std::size_t lightSamples, bool nearness) {
         return done([&] {
             std::vector<MaskLight> all;
-            for (std::size_t i = 0; i < lightCount; ++i)
-                all.push_back(lightAt(at<double>(lights) + lightNumbers * i));
+            std::vector<ShadowMasks::LookupId> lookups;
+            for (std::size_t i = 0; i < lightCount; ++i) {
+                const double* numbers = at<double>(lights) + (lightNumbers + 1) * i;
+                all.push_back(lightAt(numbers));
+                const int id = static_cast<int>(numbers[lightNumbers]);
+                lookups.push_back(id < 0 ? ShadowMasks::noLookup : idOf(id));
+            }
             masks().draw({matrixAt(matrices), matrixAt(matrices + sizeof(Matrix16)), width, height,
                           lightSamples, nearness},
-                         all);
+                         all, lookups);
         });
     }
 
     /// The input for LookupMaker; empty on failure.
-    emscripten::val lookupTask(std::uintptr_t light, int size, double mostBytes) {
+    emscripten::val lookupTask(std::uintptr_t light, int size, double mostBytes, double restMs) {
         bytes_ = {};
         done([&] {
             bytes_ = taskToTransfer(masks().lookupWork(
-                lightAt(at<double>(light)), {size, static_cast<std::size_t>(mostBytes)}));
+                lightAt(at<double>(light)), {size, static_cast<std::size_t>(mostBytes), restMs}));
         });
         return viewOf(bytes_);
     }
@@ -166,12 +172,20 @@ class PageMasks {
     bool removeLookup(int id) {
         return done([&] { masks().removeLookup(idOf(id)); });
     }
-    bool isCurrent(int id, std::uintptr_t light) {
-        bool current = false;
-        done([&] { current = masks().isCurrent(idOf(id), lightAt(at<double>(light))); });
-        return current;
+    /// Movers and, among them, those that have rested; empty if the lookup no longer holds.
+    emscripten::val lookupState(int id, std::uintptr_t light, double restMs) {
+        numbers_.clear();
+        done([&] {
+            const LookupState state = masks().state(idOf(id), lightAt(at<double>(light)), restMs);
+            if (state.holds)
+                numbers_ = {static_cast<double>(state.movers), static_cast<double>(state.rested)};
+        });
+        return numbers();
     }
     double casterState() const { return masks_ ? static_cast<double>(masks_->casterState()) : -1; }
+    double restingState() const {
+        return masks_ ? static_cast<double>(masks_->restingState()) : -1;
+    }
     std::string lookupWhy(int id) {
         std::string why;
         const bool known = done([&] { why = masks().lookup(idOf(id)).why; });
@@ -188,7 +202,7 @@ class PageMasks {
         numbers_.insert(numbers_.end(), {told.size, told.kind, static_cast<double>(told.bytes),
                                          static_cast<double>(told.longestList), told.buildMs});
         numbers_.insert(numbers_.end(), told.mapFromWorld.begin(), told.mapFromWorld.end());
-        return emscripten::val(emscripten::typed_memory_view(numbers_.size(), numbers_.data()));
+        return numbers();
     }
 
     std::string lastProblem() const { return problem_; }
@@ -200,6 +214,12 @@ class PageMasks {
     unsigned nearnessTexture() const { return masks_->nearness().texture; }
     double nearnessScale() const { return masks_->nearness().scale; }
     double nearnessOffset() const { return masks_->nearness().offset; }
+    emscripten::val region() {
+        const MaskRegion& of = masks_->region();
+        numbers_ = {static_cast<double>(of.x), static_cast<double>(of.y),
+                    static_cast<double>(of.width), static_cast<double>(of.height)};
+        return numbers();
+    }
     double buildMs() const { return masks_->cost().buildMs; }
     double drawMs() const { return masks_->cost().drawMs; }
     double vertexRuns() const { return static_cast<double>(masks_->cost().vertexRuns); }
@@ -208,6 +228,10 @@ class PageMasks {
 
   private:
     static ShadowMasks::Id idOf(int id) { return static_cast<ShadowMasks::Id>(id); }
+
+    emscripten::val numbers() const {
+        return emscripten::val(emscripten::typed_memory_view(numbers_.size(), numbers_.data()));
+    }
 
     ShadowMasks& masks() {
         if (!masks_)
@@ -272,8 +296,9 @@ EMSCRIPTEN_BINDINGS(edgeshade_masks) {
         .function("addLookup", &PageMasks::addLookup)
         .function("prepareUpload", &PageMasks::prepareUpload)
         .function("removeLookup", &PageMasks::removeLookup)
-        .function("isCurrent", &PageMasks::isCurrent)
+        .function("lookupState", &PageMasks::lookupState)
         .function("casterState", &PageMasks::casterState)
+        .function("restingState", &PageMasks::restingState)
         .function("lookupWhy", &PageMasks::lookupWhy)
         .function("lookupNumbers", &PageMasks::lookupNumbers)
         .function("lastProblem", &PageMasks::lastProblem)
@@ -281,6 +306,7 @@ EMSCRIPTEN_BINDINGS(edgeshade_masks) {
         .function("nearnessTexture", &PageMasks::nearnessTexture)
         .function("nearnessScale", &PageMasks::nearnessScale)
         .function("nearnessOffset", &PageMasks::nearnessOffset)
+        .function("region", &PageMasks::region)
         .function("buildMs", &PageMasks::buildMs)
         .function("drawMs", &PageMasks::drawMs)
         .function("vertexRuns", &PageMasks::vertexRuns)

@@ -21,9 +21,9 @@ export class LightLookups {
     this.#engine = engine;
   }
 
-  async build(light, { size = 512, mostBytes = mostBytesAsked, signal } = {}) {
+  async build(light, { size = 512, mostBytes = mostBytesAsked, restMs = 500, signal } = {}) {
     const { program, masks, inContext, withLight, require } = this.#engine;
-    const task = withLight(light, (address) => masks.lookupTask(address, size, mostBytes)).slice();
+    const task = withLight(light, (address) => masks.lookupTask(address, size, mostBytes, restMs)).slice();
     require(task.length > 0);
     const result = await this.#calls.ask({ module: this.#module, task }, { transfer: [task.buffer], signal });
     if (!result) return null;
@@ -67,8 +67,9 @@ export class LightLookups {
       mapFromWorld: numbers.slice(10) };
   }
 
-  isCurrent(id, light) {
-    return this.#engine.withLight(light, (address) => this.#engine.masks.isCurrent(id, address));
+  state(id, light, restMs) {
+    const [movers, rested] = this.#engine.withLight(light, (address) => this.#engine.masks.lookupState(id, address, restMs));
+    return { holds: movers !== undefined, movers: movers ?? 0, rested: rested ?? 0 };
   }
 
   remove(id) {

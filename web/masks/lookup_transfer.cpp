@@ -19,7 +19,7 @@ namespace {
 /// The fields that both directions share.
 template <class Archive>
 void transferStart(Archive& archive, Maybe<LookupWork::Data> auto& data) {
-    archive(data.task.light, data.task.settings, data.task.why, data.casterState);
+    archive(data.task.light, data.task.settings, data.task.why, data.held);
 }
 
 /// A caster's place, and the index of its shape.

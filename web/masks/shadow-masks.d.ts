@@ -95,6 +95,11 @@ export interface Masks {
    * scale * depth + offset; 0: no surface.
    */
   nearness: { texture: WebGLTexture; scale: number; offset: number } | null;
+  /**
+   * x, y, width, height of the pixels, from the lower left, where a mask may be less than 1. Beyond
+   * them masks needn't be sampled, and nearness is undefined.
+   */
+  region: [number, number, number, number];
 }
 
 /** Cost of the last draw(). Milliseconds are CPU time. */
@@ -118,9 +123,30 @@ export interface LookupOptions {
   size?: number;
   /** Limit on the GPU; smaller maps are tried first. Default: 64 MiB. */
   mostBytes?: number;
+  /**
+   * Casters that have moved or changed are left out of the map until they have rested for so many
+   * milliseconds; 0: all casters are in it. Default: 500.
+   */
+  restMs?: number;
   /** Cancels the work. */
   signal?: AbortSignal;
 }
+
+/** A lookup's casters compared with the present ones. */
+export interface LookupState {
+  /**
+   * The light and all of the lookup's casters are as they were when it was requested. Otherwise its
+   * shadows are wrong.
+   */
+  holds: boolean;
+  /** Casters that aren't in it: draw() counts them on top. */
+  movers: number;
+  /** Movers that have rested for `restMs`. */
+  rested: number;
+}
+
+/** Milliseconds after which a caster that has moved counts as being at rest. */
+export const longRestMs: number;
 
 /** Uniforms of a resting light's lookup, by the names of lookupSource('PREFIX'). */
 export interface LightLookup {
@@ -192,12 +218,16 @@ export class ShadowMasks {
   setClippings(id: number, clippings: MaskClipping[]): void;
   remove(id: number): void;
 
-  /** The textures belong to the engine, and stay valid until the next draw(). */
-  draw(view: MaskView, lights: MaskLight[]): Masks;
+  /**
+   * The textures belong to the engine, and stay valid until the next draw(). `lookups`: for each
+   * light the lookup that your shader samples as well, or null. Only the movers of such a light are
+   * counted, the casters that its lookup doesn't hold. Throws if the lookup no longer holds.
+   */
+  draw(view: MaskView, lights: MaskLight[], lookups?: (number | null)[]): Masks;
   readonly cost: MaskCost;
 
   /**
-   * Has a worker build the map of a resting light without a radius, for the current casters.
+   * Has a worker build the map of a resting light without a radius, for the casters that rest now.
    * Resolves with a lookup's number, or null if `signal` cancelled it.
    */
   buildLookup(light: MaskLight, options?: LookupOptions): Promise<number | null>;
@@ -207,11 +237,18 @@ export class ShadowMasks {
    */
   uploadLookup(lookup: number, mostBytes?: number): boolean;
   lookup(lookup: number): LightLookup;
-  /** Whether the light and all casters are unchanged since the map was requested. */
+  /** `restMs`: for `rested`. Default: longRestMs. */
+  lookupState(lookup: number, light: MaskLight, restMs?: number): LookupState;
+  /** Whether the lookup holds and there are no movers: it needs no mask. */
   isCurrent(lookup: number, light: MaskLight): boolean;
   removeLookup(lookup: number): void;
   /** Changes whenever a caster changes or moves. */
   readonly casterState: number;
+  /**
+   * Changes whenever a caster is added or removed, and when one moves or changes that had never
+   * moved before or had rested for longRestMs.
+   */
+  readonly restingState: number;
 
   /** Call it when the context is lost: nothing can be added or drawn until restore(). */
   forget(): void;

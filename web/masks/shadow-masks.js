@@ -11,7 +11,10 @@ import { compiledModule, instantiate } from './runtime.js';
 export { lookupSource } from './lookup-source.js';
 
 const kinds = ['directional', 'point', 'spot'];
-const lightNumbers = 10;
+const lightNumbers = 11; // the last is the lookup's id
+
+/** As ShadowMasks::longRestMs. */
+export const longRestMs = 5000;
 const channels = ['alpha', 'green'];
 
 /** Most lights in one draw(). */
@@ -144,8 +147,8 @@ export class ShadowMasks {
     this.#textures.drop(id);
   }
 
-  draw({ viewFromWorld, clipFromView, width, height, lightSamples = 64, nearness = true }, lights) {
-    const numbers = Float64Array.from(lights.flatMap(numbersOf));
+  draw({ viewFromWorld, clipFromView, width, height, lightSamples = 64, nearness = true }, lights, lookups = []) {
+    const numbers = Float64Array.from(lights.flatMap((light, i) => [...numbersOf(light, i), lookups[i] ?? -1]));
     const needs = `${width} ${height} ${lights.length} ${nearness}`;
     this.#hostError = 0;
     if (this.#allocatedFor !== needs) this.#takeHostError();
@@ -159,6 +162,7 @@ export class ShadowMasks {
       textures,
       nearness: nearness ? { texture: this.#textureOf(this.#masks.nearnessTexture()),
         scale: this.#masks.nearnessScale(), offset: this.#masks.nearnessOffset() } : null,
+      region: [...this.#masks.region()],
     };
   }
 
@@ -178,8 +182,15 @@ export class ShadowMasks {
     return this.#lookups.of(id);
   }
 
+  /** Compares a lookup's casters with the present ones. */
+  lookupState(id, light, restMs = longRestMs) {
+    return this.#lookups.state(id, light, restMs);
+  }
+
+  /** Whether a lookup needs no mask. */
   isCurrent(id, light) {
-    return this.#lookups.isCurrent(id, light);
+    const { holds, movers } = this.lookupState(id, light);
+    return holds && movers === 0;
   }
 
   removeLookup(id) {
@@ -189,6 +200,11 @@ export class ShadowMasks {
   /** Changes whenever a caster changes or moves. */
   get casterState() {
     return this.#masks.casterState();
+  }
+
+  /** Changes when resting casters do: see the declaration. */
+  get restingState() {
+    return this.#masks.restingState();
   }
 
   get cost() {

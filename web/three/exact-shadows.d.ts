@@ -14,19 +14,34 @@ export interface ExactShadowsOptions {
    */
   keepsState?: boolean;
   /**
-   * Most lights that are looked up at once while they and all casters rest, 0 to 2: no mask is
-   * drawn of them, and see-through surfaces take their shadows. Each takes one of a material's
-   * textures, and makes its shader longer. Default: 1.
+   * Most lights that are looked up at once while they rest, 0 to 4: masks are drawn of moving
+   * casters alone, and see-through surfaces take the shadows of the others. Each takes one of a
+   * material's textures, and makes its shader longer. Default: 1.
    */
   lookups?: number;
+}
+
+/** How a casting light is shadowed. */
+export interface LightShadow {
+  light: Light;
+  /**
+   * 'lookup': its map alone; 'lookup and movers': its map, and a mask of the casters that have moved;
+   * 'mask': a mask of all casters; 'none': no shadows yet.
+   */
+  method: 'lookup' | 'lookup and movers' | 'mask' | 'none';
+  /** A clause. */
+  reason: string;
 }
 
 /**
  * Exact shadows for directional, point and spot lights with castShadow: cast by meshes with
  * castShadow, and received by meshes with receiveShadow of standard, physical, Lambert, Phong, toon
  * and shadow materials. Meshes may be instanced, skinned and morphed. Pictures have no shadows
- * until the edges of all meshes are found. A light that has rested for half a second, with all
- * casters, is looked up once a worker has built its map, until something moves.
+ * until the edges of all meshes are found. A light that has rested for half a second is looked up
+ * once a worker has built its map of the casters that rest. Those that have moved within half a
+ * second are counted on top, until they have rested for five seconds and another map holds them. A
+ * caster in the map that starts to move ends it: the light has a mask until a map without that
+ * caster is ready.
  *
  * An alpha-tested surface (alphaTest, with the alpha of map or the green of alphaMap; with both,
  * alphaMap's) receives shadow where it is solid, and surfaces seen through its holes have their
@@ -68,9 +83,11 @@ export class ExactShadows {
   ready(): Promise<void>;
   /**
    * Cost of the last masks. `pending`: meshes that are not ready; `lookedUp`: lights that are
-   * looked up, without a mask. Null before the first.
+   * looked up, perhaps with a mask of moving casters. Null before the first.
    */
   readonly cost: (MaskCost & { pending: number; lookedUp: number }) | null;
+  /** How each casting light of the last render() is shadowed, and why. */
+  readonly lights: LightShadow[];
   /** Why resting lights are not looked up, if known: clauses. */
   readonly notLookedUp: Map<Light, string>;
 

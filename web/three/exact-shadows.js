@@ -19,6 +19,12 @@ const slotUniforms = (slot) => Object.fromEntries(Object.entries({
   table: null, tableSize: new Vector3(), begins: new Vector2(), size: 1, kind: 0, mapFromHost: new Matrix4(),
 }).map(([name, value]) => [`${slotName(slot)}_${name}`, { value }]));
 
+/** Whether a mask is drawn of a light: of all casters, or of those that move over its map. */
+const needsMask = (map) => !map || map.movers > 0;
+
+/** A light's number in edgeshadeWays. */
+const wayOf = (map, channel) => (!map ? channel : channel < 0 ? -1 - map.slot : mostLights * (map.slot + 1) + channel);
+
 /** Lights and meshes that the camera sees, in three.js's order. */
 function visibleOf(scene, camera, roots) {
   const lights = [], meshes = [];
@@ -47,6 +53,7 @@ export class ExactShadows {
   #casters = null;
   #resting = null;
   #lookedUp = 0; // number of lights in the last picture
+  #casting = []; // three.js's casting lights in it
   #mostLookedUp;
   #starting;
   #problem = null;
@@ -65,6 +72,7 @@ export class ExactShadows {
     edgeshadeIntensities: { value: new Float32Array(mostLights).fill(1) },
     edgeshadeNearness: { value: null },
     edgeshadeViewport: { value: new Vector4() },
+    edgeshadeRegion: { value: new Vector4() },
     edgeshadeOwn: { value: new Vector3() },
     edgeshadeWays: { value: new Int32Array(mostLights) },
     edgeshadeMasked: { value: 0 },
@@ -153,6 +161,12 @@ export class ExactShadows {
     return this.#resting?.whys ?? new Map();
   }
 
+  /** How each casting light of the last picture is shadowed, and why. */
+  get lights() {
+    return this.#casting.map((light) => ({ light,
+      ...(this.#resting?.methodOf(light) ?? { method: 'none', reason: 'meshes are being prepared' }) }));
+  }
+
   /** Use it in place of renderer.render(). */
   render(scene, camera) {
     const renderer = this.#renderer;
@@ -206,6 +220,7 @@ export class ExactShadows {
     const lights = this.#follow({ scene, camera });
     if (!this.#masks) return false;
     const casting = castingLights(lights, (light) => this.#radii.get(light) ?? 0);
+    this.#casting = casting.sources;
     this.#complete ||= this.#casters.pending === 0;
     if (casting.lights.length === 0 || !this.#complete) return false;
     this.#renderer.getCurrentViewport(this.#viewport);
@@ -213,7 +228,7 @@ export class ExactShadows {
     if (width < 1 || height < 1) return false;
     const maps = this.#mapsOf(casting);
     this.#showMaps(camera, maps);
-    const masked = casting.lights.filter((_, i) => !maps[i]);
+    const masked = casting.lights.filter((_, i) => needsMask(maps[i]));
     this.#uniforms.edgeshadeIntensities.value.set(casting.intensities);
     this.#uniforms.edgeshadeMasked.value = Math.min(masked.length, 1);
     this.#uniforms.edgeshadeMasks.value = Array.from({ length: Math.ceil(maps.length / 4) }, () => null);
@@ -223,7 +238,7 @@ export class ExactShadows {
         viewFromWorld: camera.matrixWorldInverse.elements,
         clipFromView: camera.projectionMatrix.elements,
         width, height, lightSamples: this.lightSamples,
-      }, masked));
+      }, masked, maps.filter(needsMask).map((map) => map?.id)), width, height);
       this.#resetRenderer();
     }
     this.#uniforms.edgeshadeViewport.value.set(x, y, 1 / width, 1 / height);
@@ -267,7 +282,7 @@ export class ExactShadows {
   #showMaps(camera, maps) {
     const { edgeshadeWays, edgeshadeMaps } = this.#uniforms;
     let channel = 0;
-    edgeshadeWays.value.set(maps.map((map) => (map ? -1 - map.slot : channel++)));
+    edgeshadeWays.value.set(maps.map((map) => wayOf(map, needsMask(map) ? channel++ : -1)));
     for (let slot = 0; slot < mostSlots; ++slot) {
       const of = (name) => this.#uniforms[`${slotName(slot)}_${name}`];
       const map = maps.find((one) => one?.slot === slot);
@@ -283,8 +298,9 @@ export class ExactShadows {
     }
   }
 
-  #showMasks(camera, { textures, nearness }) {
-    const { edgeshadeMasks, edgeshadeNearness, edgeshadeOwn } = this.#uniforms;
+  #showMasks(camera, { textures, nearness, region: [x, y, wide, high] }, width, height) {
+    const { edgeshadeMasks, edgeshadeNearness, edgeshadeOwn, edgeshadeRegion } = this.#uniforms;
+    edgeshadeRegion.value.set(x / width, y / height, (x + wide) / width, (y + high) / height);
     edgeshadeNearness.value = this.#textures.at(0, nearness.texture);
     for (const [i, texture] of textures.entries()) edgeshadeMasks.value[i] = this.#textures.at(i + 1, texture);
     const { scale, offset } = nearness;

@@ -4,7 +4,7 @@
 import { lookupSource } from '../masks/lookup-source.js';
 
 /** Most lights that can be looked up at once: each takes one of a material's textures. */
-export const mostSlots = 2;
+export const mostSlots = 4;
 
 /** Prefix of the names of a slot's map. */
 export const slotName = (slot) => `edgeshadeMap${slot}`;
@@ -48,7 +48,9 @@ uniform float edgeshadeIntensities[ ${all} ];
 uniform highp sampler2D edgeshadeNearness;
 uniform highp vec4 edgeshadeViewport; // x, y, 1 / width, 1 / height; 0: there are no shadows
 uniform highp vec3 edgeshadeOwn;      // nearness by gl_FragCoord.w, gl_FragCoord.z and as it is
-uniform int edgeshadeWays[ ${all} ];   // a light's channel of the masks, or -1 - the slot of its map
+uniform highp vec4 edgeshadeRegion;    // lower left, upper right, in the viewport: elsewhere masks are 1
+uniform int edgeshadeWays[ ${all} ];   // a light's channel of the masks; or -1 - the slot of its map; or with
+                                       // both the channel + 32 * (1 + the slot)
 uniform int edgeshadeMasked;           // 1: there are masks; 0: all lights are looked up
 
 bool edgeshadeHasMasks() { // or maps
@@ -89,7 +91,7 @@ float edgeshadeMaskOf( const in int channel ) {
 #if ${all} > ${4 * i + 4}
 	if ( channel >= ${4 * i + 4} ) found = texture2D( edgeshadeMasks[ ${i + 1} ], edgeshadeTexel );
 #endif`).join('')}
-	return found[ channel % 4 ];
+	return edgeshadeTexel.x < 0.0 ? 1.0 : found[ channel % 4 ];
 #endif
 }
 
@@ -97,13 +99,16 @@ float edgeshadeLit( const in int light ) {
 	int way = edgeshadeWays[ light ];
 	float lit = 1.0;
 	if ( way < 0 ) lit = edgeshadeLooked[ - 1 - way ];
-	else lit = edgeshadeMaskOf( way );
+	else lit = edgeshadeMaskOf( way % 32 );
+	if ( way >= 32 ) lit *= edgeshadeLooked[ way / 32 - 1 ];
 	return mix( 1.0, lit, edgeshadeIntensities[ light ] );
 }
 
 void edgeshadeFind( const in highp vec3 position ) {
-	edgeshadeTexel = vec2( 0.0 );
-	for ( int i = 0; i < edgeshadeMasked; i ++ ) edgeshadeTexel = edgeshadeFindTexel();
+	highp vec2 place = ( gl_FragCoord.xy - edgeshadeViewport.xy ) * edgeshadeViewport.zw;
+	bool within = all( greaterThan( place, edgeshadeRegion.xy ) ) && all( lessThan( place, edgeshadeRegion.zw ) );
+	edgeshadeTexel = vec2( - 1.0 );
+	for ( int i = 0; i < ( within ? edgeshadeMasked : 0 ); i ++ ) edgeshadeTexel = edgeshadeFindTexel();
 	edgeshadeAskMaps( position );
 }
 

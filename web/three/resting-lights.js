@@ -1,21 +1,33 @@
-// Finds the resting lights, and gets maps that are looked up instead of masks.
+// Finds the resting lights, and gets maps that are looked up instead of masks, or below masks of
+// the casters that move.
 
-/** Milliseconds that a light and all casters must rest before a worker builds its map. */
-const restMilliseconds = 500;
+import { longRestMs } from '../masks/shadow-masks.js';
+
+/** Milliseconds that a light and the resting casters must rest before a worker builds its map. */
+const restMs = 500;
+
+/** The most that moved casters must rest to be in a light's map, after they kept ending it. */
+const longestRestMs = 80_000;
 
 /** Bytes uploaded per frame: some milliseconds. */
 const bytesAFrame = 4 * 2 ** 20;
 
 /** Everything that the shadows of a light with a map depend on. */
-const keyOf = ({ kind, position, direction }) => (kind === 'directional' ? `${direction}` : `${position}`);
+const keyOf = ({ kind, position, direction, radius }) => `${radius > 0} ${kind === 'directional' ? direction : position}`;
+
+/**
+ * What is known of a light. `current`: its lookup {id, map, state}, or one that says why there is
+ * none; `next`: one that is being uploaded, to take its place.
+ */
+const entryOf = (key, since) => ({ key, since, restMs, current: null, next: null, abort: null, problem: '' });
 
 export class RestingLights {
   #masks;
   #most;
   #touched;
-  #entries = new Map(); // by three.js's light: {key, since, abort, id, problem}
-  #casterState = -1;
-  #castersSince = 0;
+  #entries = new Map(); // by three.js's light
+  #restingState = -1;
+  #restingSince = 0;
 
   /**
    * `most`: lights that may be looked up at once. `touched()` is called when the context's state
@@ -27,92 +39,150 @@ export class RestingLights {
     this.#touched = touched;
   }
 
-  /** `lights`: {light: three.js's, numbers: MaskLight}, all casting ones. `settled`: no meshes
-   * are pending. Returns for each light its map and slot, or null. */
+  /**
+   * `lights`: {light: three.js's, numbers: MaskLight}, all casting ones. `settled`: no meshes are
+   * pending. Returns for each light its map, with its slot, its lookup's id, and the number of
+   * casters that move over it; or null.
+   */
   follow(lights, settled, now = performance.now()) {
-    const { casterState } = this.#masks;
-    if (casterState !== this.#casterState || !settled) this.#castersSince = now;
-    this.#casterState = casterState;
+    this.#followCasters(settled, now);
     const seen = new Set(lights.map(({ light }) => light));
     for (const [light, entry] of this.#entries) if (!seen.has(light)) this.#drop(light, entry);
     for (const { light, numbers } of lights) this.#followOne(light, numbers, now);
     this.#uploadOne();
     this.#beginOne(lights, now);
-    return lights.map(({ light }) => this.#entries.get(light).map ?? null);
+    return lights.map(({ light }) => {
+      const { map, id, state } = this.#entries.get(light).current ?? {};
+      return map ? { ...map, id, movers: state.movers } : null;
+    });
+  }
+
+  /** A map that is being built would miss, or hold too long, what has just changed. */
+  #followCasters(settled, now) {
+    const { restingState } = this.#masks;
+    const changed = restingState !== this.#restingState;
+    this.#restingState = restingState;
+    if (changed || !settled) this.#restingSince = now;
+    if (!changed) return;
+    for (const entry of this.#entries.values()) {
+      entry.abort?.abort();
+      entry.problem = '';
+    }
   }
 
   #followOne(light, numbers, now) {
     const key = keyOf(numbers);
     const entry = this.#entries.get(light);
-    const stays = entry && entry.key === key;
-    if (stays && entry.casterState === this.#casterState && !(numbers.radius > 0)) return;
-    if (entry) this.#drop(light, entry);
-    this.#entries.set(light, { key, since: stays ? entry.since : now, casterState: this.#casterState });
+    if (entry?.key !== key) {
+      if (entry) this.#drop(light, entry);
+      this.#entries.set(light, entryOf(key, now));
+      return;
+    }
+    for (const which of ['current', 'next']) {
+      const lookup = entry[which];
+      if (!lookup) continue;
+      lookup.state = this.#masks.lookupState(lookup.id, numbers, Math.max(longRestMs, entry.restMs));
+      if (lookup.state.holds) continue;
+      // Casters that rest for less than this are likely to start again.
+      if (lookup.map) entry.restMs = Math.min(Math.max(longRestMs, 2 * entry.restMs), longestRestMs);
+      this.#remove(entry, which);
+    }
+  }
+
+  /** Why no map is begun of a light now; '': one can be. */
+  #obstacle({ since, current, next, problem }, { radius }, now) {
+    if (this.#most < 1) return 'lookups is 0, or its materials have no texture left for a map';
+    if (radius > 0) return 'it has a radius';
+    if (problem) return problem;
+    if (current?.why && !current.state.rested) return current.why;
+    if (next) return 'its map is being uploaded';
+    if (now - since < restMs) return 'it has moved within half a second';
+    if (now - this.#restingSince < restMs) return 'casters have come, gone or started to move within half a second';
+    if (current && !current.state.rested) return 'its map is built';
+    const others = [...this.#entries.values()].filter((entry) => entry.current?.map ?? entry.next);
+    return !current?.map && others.length >= this.#most ? `${this.#most} other lights are looked up` : '';
   }
 
   /** Builds one map at a time, so that drawing keeps a core. */
   #beginOne(lights, now) {
-    const entries = [...this.#entries.values()];
-    if (entries.some(({ abort }) => abort) || entries.filter(({ map, id }) => map || id !== undefined).length >= this.#most) return;
-    const next = lights.find(({ light, numbers }) => {
+    for (const { light, numbers } of lights) {
       const entry = this.#entries.get(light);
-      return !entry.map && entry.id === undefined && !entry.why && !(numbers.radius > 0) &&
-        now - Math.max(entry.since, this.#castersSince) >= restMilliseconds;
-    });
-    if (next) this.#begin(next.light, next.numbers);
+      entry.obstacle = this.#obstacle(entry, numbers, now);
+      if (entry.obstacle || lights.some((other) => this.#entries.get(other.light).abort)) continue;
+      this.#begin(light, numbers, entry);
+    }
   }
 
-  async #begin(light, numbers) {
-    const entry = this.#entries.get(light);
+  async #begin(light, numbers, entry) {
     const abort = new AbortController();
     entry.abort = abort;
     try {
-      const id = await this.#masks.buildLookup(numbers, { signal: abort.signal });
+      const id = await this.#masks.buildLookup(numbers, { signal: abort.signal, restMs: entry.restMs });
       if (id === null) return;
-      if (this.#entries.get(light) === entry && !abort.signal.aborted) entry.id = id;
+      if (this.#entries.get(light) === entry && !abort.signal.aborted) entry.next = { id };
       else this.#masks.removeLookup(id);
       this.#touched();
     } catch (error) {
-      entry.why = error.message; // this light falls back to masks
+      entry.problem = error.message; // this light falls back to masks
     } finally {
       if (entry.abort === abort) entry.abort = null;
     }
   }
 
   #uploadOne() {
-    const entry = [...this.#entries.values()].find(({ id, map, why }) => id !== undefined && !map && !why);
+    const entry = [...this.#entries.values()].find(({ next }) => next?.state);
     if (!entry) return;
-    if (this.#masks.uploadLookup(entry.id, bytesAFrame)) {
-      const map = this.#masks.lookup(entry.id);
-      if (map.why) entry.why = map.why;
-      else entry.map = { ...map, slot: this.#freeSlot() };
+    const { next, current } = entry;
+    if (this.#masks.uploadLookup(next.id, bytesAFrame)) {
+      const { why, ...map } = this.#masks.lookup(next.id);
+      if (why) next.why = why;
+      else next.map = { ...map, slot: current?.map?.slot ?? this.#freeSlot() };
+      this.#remove(entry, 'current');
+      Object.assign(entry, { current: next, next: null });
     }
     this.#touched();
   }
 
   #freeSlot() {
-    const taken = new Set([...this.#entries.values()].map(({ map }) => map?.slot));
+    const taken = new Set([...this.#entries.values()].map(({ current }) => current?.map?.slot));
     for (let slot = 0; ; ++slot) if (!taken.has(slot)) return slot;
+  }
+
+  #remove(entry, which) {
+    if (!entry[which]) return;
+    this.#masks.removeLookup(entry[which].id);
+    entry[which] = null;
+    this.#touched();
   }
 
   #drop(light, entry) {
     this.#entries.delete(light);
     entry.abort?.abort();
-    if (entry.id === undefined) return;
-    this.#masks.removeLookup(entry.id);
-    this.#touched();
+    this.#remove(entry, 'current');
+    this.#remove(entry, 'next');
+  }
+
+  /** How a light is shadowed, and why: {method, reason}; null: unknown. */
+  methodOf(light) {
+    const entry = this.#entries.get(light);
+    if (!entry) return null;
+    const { current, abort, obstacle } = entry;
+    if (!current?.map) return { method: 'mask', reason: abort ? 'its map is being built' : obstacle || 'another light\'s map is being built' };
+    const { movers } = current.state;
+    return movers > 0 ? { method: 'lookup and movers', reason: `casters that came or moved lately are counted on top: ${movers}` }
+      : { method: 'lookup', reason: 'it rests, and so do all casters' };
   }
 
   /** Why lights have no map, by light. */
   get whys() {
-    return new Map([...this.#entries].filter(([, { why }]) => why).map(([light, { why }]) => [light, why]));
+    return new Map([...this.#entries].map(([light, { current, problem }]) => [light, current?.why || problem]).filter(([, why]) => why));
   }
 
   /** Lowers the limit on lights looked up at once. */
   set most(most) {
     if (most >= this.#most) return;
     this.#most = most;
-    for (const [light, entry] of [...this.#entries]) if (entry.map?.slot >= most) this.#drop(light, entry);
+    for (const [light, entry] of [...this.#entries]) if (entry.current?.map?.slot >= most) this.#drop(light, entry);
   }
 
   /** Called when the context is lost, with all maps. */

@@ -15,11 +15,11 @@ std::size_t LitCounter::lightsAtOnce(const GpuScene& scene) {
                                    std::size_t{8});
 }
 
-void LitCounter::begin(int width, int height) {
+void LitCounter::begin(int width, int height, const std::optional<PixelRectangle>& part) {
     const gl::FramebufferKeeper keeper;
     lights_ = pictures_ = 0;
     const bool fits = sum_.size() == glm::ivec2(width, height);
-    sum_.begin(width, height);
+    sum_.begin(width, height, part);
     if (fits) return;
     masks_ = gl::ColorTarget(width, height);
     depthStencil_.emplace(width, height, capabilities_);

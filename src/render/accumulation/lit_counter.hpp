@@ -33,8 +33,9 @@ class LitCounter {
 
     explicit LitCounter(const gl::Capabilities& capabilities) : capabilities_(capabilities) {}
 
-    /// Starts from nothing, for pictures of this size. Throws Error(unavailable) if the GL can't.
-    void begin(int width, int height);
+    /// Starts from nothing, for pictures of this size. `part`: the views' FrameView::part; the
+    /// other pixels are undefined. Throws Error(unavailable) if the GL can't.
+    void begin(int width, int height, const std::optional<PixelRectangle>& part = {});
 
     /// Adds the masks of all lights of a view. The view must have the size passed to begin(), sum
     /// masks (pointsView()), and have at most mostSummed lights. Uploads the groups of casters that
@@ -49,6 +50,11 @@ class LitCounter {
                    const FrameView& view, std::size_t light, std::size_t first, std::size_t count,
                    std::span<const FrameLight> others = {}, StageClock* clock = nullptr);
 
+    /// Depth and stencil of its masks, from begin() on; null: the GL can't draw into textures with
+    /// both.
+    const gl::DepthStencil* depthStencil() const {
+        return depthStencil_ ? &*depthStencil_ : nullptr;
+    }
     std::uint32_t lights() const { return lights_; } ///< lights so far
     /// The share of the lights that reach each pixel. Valid until the next call.
     VisibilityLookup visibility();

@@ -2,6 +2,7 @@
 
 #include "preprocess/base/error.hpp"
 #include "shaders_es2.hpp"
+#include "src/gl/scissor.hpp"
 
 #include <GLES2/gl2.h>
 #include <utility>
@@ -41,7 +42,8 @@ void readBytes(const gl::ColorTarget& target, const glm::ivec2& from, const glm:
 
 } // namespace
 
-void PictureSum::begin(int width, int height) {
+void PictureSum::begin(int width, int height, const std::optional<PixelRectangle>& part) {
+    part_ = part;
     if (size_ != glm::ivec2(width, height)) {
         size_ = glm::ivec2(0); // in case the GL refuses below
         for (Halves* halves : {&sums_, &next_})
@@ -54,6 +56,7 @@ void PictureSum::begin(int width, int height) {
     }
     drawPlainlyInto(sums_.low.framebuffer.name(), size_);
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    const gl::ScissorScope cut(part_);
     clear(sums_.low);
     clear(sums_.high);
     glEnable(GL_DITHER);
@@ -67,6 +70,7 @@ void PictureSum::add(gl::Name picture) {
                                    WholePicture(shaders::sum_share_frag, {"PICTURE"})});
     const auto draw = [&](const WholePicture& by, const gl::ColorTarget& into) {
         drawPlainlyInto(into.framebuffer.name(), size_);
+        const gl::ScissorScope cut(part_);
         const gl::Program& program = by.use();
         program.setTexture("u_added", 0, picture);
         program.setTexture("u_low", 1, sums_.low.texture.name());
@@ -83,6 +87,7 @@ void PictureSum::add(gl::Name picture) {
 
 void PictureSum::draw(const WholePicture& by, gl::Name framebuffer, std::uint32_t largest) const {
     drawPlainlyInto(framebuffer, size_);
+    const gl::ScissorScope cut(part_);
     const gl::Program& program = by.use();
     program.setTexture("u_low", 0, sums_.low.texture.name());
     program.setTexture("u_high", 1, sums_.high.texture.name());

@@ -2,6 +2,7 @@
 
 #include "src/gl/color_target.hpp"
 #include "src/render/drawing/whole_picture.hpp"
+#include "src/shadow/geometry/pixel_rectangle.hpp"
 
 #include <array>
 #include <cstdint>
@@ -19,8 +20,9 @@ class PictureSum {
     /// The largest sum that a channel holds.
     static constexpr std::uint32_t most = 65535;
 
-    /// Starts from nothing, for pictures of this size. Throws Error(unavailable) if the GL can't.
-    void begin(int width, int height);
+    /// Starts from nothing, for pictures of this size. `part`: the only pixels to add up; the
+    /// others are undefined. Throws Error(unavailable) if the GL can't.
+    void begin(int width, int height, const std::optional<PixelRectangle>& part = {});
 
     /// Adds a texture of that size with 8 bits a channel.
     void add(gl::Name picture);
@@ -54,6 +56,7 @@ class PictureSum {
     };
 
     glm::ivec2 size_{0};
+    std::optional<PixelRectangle> part_;
     Halves sums_, next_;
     gl::ColorTarget share_; ///< created on first use
     std::optional<Programs> programs_;

@@ -34,9 +34,13 @@ void NearnessTarget::attachDepthAlone(int width, int height) {
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_STENCIL_ATTACHMENT, GL_RENDERBUFFER, 0);
 }
 
-void NearnessTarget::bind(int width, int height) {
+void NearnessTarget::bind(int width, int height, const gl::DepthStencil* shared) {
     fit(width, height);
     glBindFramebuffer(GL_FRAMEBUFFER, target_.framebuffer.name());
+    if (shared)
+        shared->attach();
+    else if (depth_)
+        depth_->attach();
 }
 
 std::size_t NearnessTarget::bytes() const {

@@ -12,9 +12,10 @@ class NearnessTarget {
   public:
     explicit NearnessTarget(const gl::Capabilities& capabilities) : capabilities_(capabilities) {}
 
-    /// Binds its framebuffer, recreating it if the size changed. Throws Error(unavailable) if the
-    /// GL can't draw this way.
-    void bind(int width, int height);
+    /// Binds its framebuffer, recreating it if the size changed. `shared`: depth of that size to
+    /// draw with, which others go on to use; null: its own. Throws Error(unavailable) if the GL
+    /// can't draw this way.
+    void bind(int width, int height, const gl::DepthStencil* shared = nullptr);
 
     gl::Name texture() const { return target_.texture.name(); }
     std::size_t bytes() const;

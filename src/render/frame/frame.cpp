@@ -39,6 +39,7 @@ Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capab
 void Renderer::draw(GpuScene& scene, const FrameView& view, StageClock* clock,
                     std::span<const VisibilityLookup> visibility) {
     vertexRuns_ = 0;
+    const gl::ScissorScope cut(view.part);
     visibility_.assign(visibility.begin(), visibility.end());
     if (coarse_) {
         const gl::FramebufferKeeper keeper;
@@ -128,7 +129,8 @@ void Renderer::planFrame(const FrameTask& task, GpuScene& scene, const FrameView
 
 CasterGroupInSlice Renderer::castersOf(const FrameView& view, const DepthSlice& slice,
                                        std::size_t light, std::size_t group) const {
-    return {view, slice, light, group, choices_[light].technique == Technique::lookup};
+    return {view, slice, light, group,
+            choices_[light].technique == Technique::lookup || view.lights[light].animatedAlone};
 }
 
 template <class Use>
@@ -152,7 +154,7 @@ void Renderer::prepare(const FramePlan& plan, GpuScene& scene, const FrameView& 
 
 void Renderer::countInOnePixel(const FramePlan& plan, const GpuScene& scene,
                                const FrameView& view) {
-    const gl::ScissorScope onePixel({0, 0, 1, 1});
+    const gl::ScissorScope onePixel(PixelRectangle{0, 0, 1, 1});
     glDisable(GL_CULL_FACE);
     set(passes::counting);
     glViewport(0, 0, 1, 1);
@@ -171,14 +173,16 @@ void Renderer::drawDepthAndAmbient(const SlicePass& pass) {
     set(state);
     if (pass.first) {
         const glm::vec4 clear =
-            pass.view.mask ? glm::vec4(0.0f)
+            pass.view.mask ? glm::vec4(0.0f, 0.0f, 0.0f, pass.view.depthDrawn ? 1.0f : 0.0f)
             : sum_.linear  ? glm::vec4(LinearTarget::lightShownAs(settings_.background), 1.0f)
                            : glm::vec4(settings_.background, 1.0f);
         glClearColor(clear.r, clear.g, clear.b, clear.a);
     }
     // Clear depth and stencil together: clearing one alone is slow where they share bytes.
     setStencilClear(pass.plan.start());
-    glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | (pass.first ? GL_COLOR_BUFFER_BIT : 0));
+    glClear((pass.view.depthDrawn ? 0 : GL_DEPTH_BUFFER_BIT) | GL_STENCIL_BUFFER_BIT |
+            (pass.first ? GL_COLOR_BUFFER_BIT : 0));
+    if (pass.view.depthDrawn) return;
 
     SurfaceShading shading = shadingOf(pass, light);
     if (light) {

@@ -159,6 +159,9 @@ void Renderer::setFull(const SlicePass& pass, SurfaceShading& shading) const {
 
 void Renderer::drawLit(const SlicePass& pass, std::size_t light) {
     SurfaceShading shading = shadingOf(pass, light);
+    // A host knows facing, cones and ranges itself, so that surfaces needn't be drawn again.
+    if (shading.mask && pass.view.lights[light].animatedAlone)
+        return mark_.addValue(shading.maskValue);
     shading.map = mapOf(light);
     CoarseMaskLookup mask;
     if (coarse_ && !shading.primitives && !shading.visibility) {

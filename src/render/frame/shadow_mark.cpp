@@ -1,5 +1,7 @@
 #include "src/render/frame/shadow_mark.hpp"
 
+#include "shaders_es2.hpp"
+
 #include <GLES2/gl2.h>
 
 namespace edgeshade {
@@ -21,6 +23,14 @@ void ShadowMark::darkenCounted() {
     glBlendFunc(GL_ZERO, GL_DST_ALPHA);
     drawCounted();
     glDisable(GL_BLEND);
+}
+
+void ShadowMark::addValue(float value) {
+    if (!value_) value_.emplace(shaders::fill_frag, std::vector<std::string>{"VALUE"});
+    value_->use().set("u_value", value);
+    glDisable(GL_DEPTH_TEST);
+    value_->draw();
+    glEnable(GL_DEPTH_TEST);
 }
 
 void ShadowMark::drawCounted() {

@@ -2,6 +2,8 @@
 
 #include "src/render/drawing/whole_picture.hpp"
 
+#include <optional>
+
 namespace edgeshade {
 
 /// Marks in the picture's alpha. Alpha keeps "in shadow" (0) while the stencil is cleared for the
@@ -18,10 +20,14 @@ class ShadowMark {
     /// Multiplies colours by alpha where the stencil isn't 0.
     void darkenCounted();
 
+    /// Adds a value wherever the present stencil test passes, whatever the depth.
+    void addValue(float value);
+
   private:
     void drawCounted();
 
     WholePicture picture_;
+    std::optional<WholePicture> value_; ///< created on first use
 };
 
 } // namespace edgeshade

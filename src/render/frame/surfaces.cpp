@@ -23,6 +23,7 @@ std::size_t Renderer::drawSurfaces(const GpuScene& scene, const FrameView& view,
 }
 
 void Renderer::drawNearness(const GpuScene& scene, const FrameView& view) {
+    const gl::ScissorScope cut(view.part);
     PlaneSpace space{.near = static_cast<float>(view.near())};
     if (view.frustum.orthographic)
         space.depthRange = static_cast<float>(view.farPlane - view.near());

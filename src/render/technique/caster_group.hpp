@@ -11,7 +11,8 @@ struct CasterGroupInSlice {
     const DepthSlice& slice;
     std::size_t light = 0; ///< index in the view
     std::size_t group = 0;
-    bool lookedUp = false; ///< static casters are in the light's primitive map
+    bool lookedUp = false; ///< static casters are in the light's primitive map, here
+                           ///< or in a host's shader
 
     const FrameLight& source() const { return view.lights[light]; }
     bool counts(const GpuBatch& batch) const {

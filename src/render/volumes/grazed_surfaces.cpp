@@ -93,6 +93,7 @@ void GrazedSurfaces::mark(const GpuScene& scene, const FrameView& view, const De
     for (std::size_t b = 0; b < scene.batches.size(); ++b) {
         const GpuBatch& batch = scene.batches[b];
         if (batch.hidden || (batch.ground && !view.ground)) continue;
+        if (view.lights[index].animatedAlone && !batch.animated) continue;
         const Triangles& triangles = trianglesOf(batch);
         if (areApart(view.visible, triangles.box, batch.worldFromBatch)) continue;
         const glm::dvec4 light = placeInObject(view.lights[index].light, batch.worldFromBatch);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "src/shadow/geometry/pixel_rectangle.hpp"
 #include "src/shadow/layers/layer_bound.hpp"
 #include "src/shadow/lights/light.hpp"
 #include "src/shadow/lights/light_extent.hpp"
@@ -54,7 +55,8 @@ struct FrameLight {
     /// across the viewing direction, in the world, positive at larger depths. It cuts casters into
     /// two groups (docs/method.md, C33).
     std::optional<glm::dvec4> cut{};
-    bool atRest = true; ///< it may be worth a primitive map
+    bool atRest = true;         ///< it may be worth a primitive map
+    bool animatedAlone = false; ///< only animated casters are counted: a host looks up the others
     /// Points that stand for its extent; empty: it has none. `layers` then hold for all of them.
     std::vector<Light> points{};
     std::optional<AmongPoints> among{}; ///< set if it is a point of another light
@@ -86,11 +88,15 @@ struct FrameView {
     Box visible{}; ///< of the visible geometry, in the world; empty: unknown
     Slopes slopes; ///< of the visible geometry
 
-    bool mask = false;       ///< draw the lit mask of the first light, not a picture
-    bool sumsMasks = false;  ///< in a mask: add up those of all lights, each 1 of 255
-    bool drawBlended = true; ///< draw BLEND surfaces
-    bool ground = false;     ///< draw the ground
-    bool culls = false;      ///< as in Scene
+    bool mask = false;                    ///< draw the lit mask of the first light, not a picture
+    bool sumsMasks = false;               ///< in a mask: add up those of all lights, each 1 of 255
+    bool drawBlended = true;              ///< draw BLEND surfaces
+    bool ground = false;                  ///< draw the ground
+    bool culls = false;                   ///< as in Scene
+    std::optional<PixelRectangle> part{}; ///< the only pixels that are drawn; null: all
+    /// In a mask of a single slice whose lights count animated casters alone: the framebuffer's
+    /// depth is that of the surfaces, and stays.
+    bool depthDrawn = false;
 
     double near() const { return slices.back().near; }
     /// Makes it as new, and keeps the memory of its arrays.

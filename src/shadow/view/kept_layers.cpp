@@ -14,7 +14,7 @@ bool KeptLayers::fill(const LayerCasters& casters, std::vector<FrameLight>& ligh
     std::vector<Kept> kept;
     bool anyNew = false;
     for (FrameLight& of : lights) {
-        if (!of.shadowed) continue;
+        if (!of.shadowed || of.animatedAlone) continue;
         const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& known) {
             return known.light == of.light.position && known.range == of.light.range &&
                    known.extent == of.light.extent && known.points == of.points.size();

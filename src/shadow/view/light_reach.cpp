@@ -7,6 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <span>
+#include <vector>
 
 namespace edgeshade {
 namespace {
@@ -72,13 +75,14 @@ PixelRectangle pixelsAround(const Ball& ball, const Interval& depths, const Fram
 
 /// The pixels around the part of the corners' hull between two depths. It uses lines between any
 /// two corners: they are in the hull, and include all its edges.
-PixelRectangle pixelsAround(const std::array<glm::dvec3, 9>& corners, const Interval& depths,
+PixelRectangle pixelsAround(std::span<const glm::dvec3> corners, const Interval& depths,
                             const FrameView& view) {
     const bool orthographic = view.frustum.orthographic;
-    std::array<glm::dvec3, 9> seen;
-    std::transform(corners.begin(), corners.end(), seen.begin(), [&](const glm::dvec3& corner) {
-        return glm::dvec3(view.frustum.viewFromWorld * glm::dvec4(corner, 1.0));
-    });
+    std::vector<glm::dvec3> seen;
+    std::transform(corners.begin(), corners.end(), std::back_inserter(seen),
+                   [&](const glm::dvec3& corner) {
+                       return glm::dvec3(view.frustum.viewFromWorld * glm::dvec4(corner, 1.0));
+                   });
     Slopes slopes;
     const auto add = [&](const glm::dvec3& point) {
         const double scale = orthographic ? 1.0 : -point.z;
@@ -135,6 +139,36 @@ PixelRectangle lightReach(const FrameView& view, const DepthSlice& slice, const 
         return {};
     return pixelsAround(Ball{glm::dvec3(light.position), rangeWidening * light.range}, depths,
                         view);
+}
+
+PixelRectangle shadowReach(const FrameView& view, const Box& casters, const Light& light) {
+    const PixelRectangle whole{0, 0, view.width, view.height};
+    if (casters.empty()) return {};
+    if (view.visible.empty()) return whole;
+    Box both = view.visible;
+    both.add(casters);
+    const bool directional = light.position.w == 0.0;
+    const glm::dvec3 place(light.position);
+    // A shadowed point is on the ray from the light through a point of the box, at most `farther`
+    // times as far from the light; or from a sun at most the diagonal of everything behind it.
+    double farther = 0.0;
+    if (!directional) {
+        const double nearest = casters.distanceTo(place);
+        for (int corner = 0; corner < 8; ++corner)
+            farther = std::max(farther, glm::distance(place, both.corner(corner)));
+        if (nearest * 1e6 <= farther) return whole;
+        farther /= nearest;
+    }
+    const glm::dvec3 behind =
+        directional ? -glm::normalize(place) * both.diagonal() : glm::dvec3(0.0);
+    std::vector<glm::dvec3> corners;
+    for (int i = 0; i < 8; ++i) {
+        const glm::dvec3 corner = casters.corner(i);
+        corners.push_back(corner);
+        corners.push_back(directional ? corner + behind : place + (corner - place) * farther);
+    }
+    return intersection(
+        whole, pixelsAround(corners, {view.near(), view.farthestDepth * (1.0 + 1e-3)}, view));
 }
 
 PixelRectangle scaledReach(const PixelRectangle& reach, const FrameView& view,

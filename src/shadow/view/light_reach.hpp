@@ -15,6 +15,11 @@ PixelRectangle visiblePixels(const FrameView& view);
 /// a cone.
 PixelRectangle lightReach(const FrameView& view, const DepthSlice& slice, const Light& light);
 
+/// The pixels on which casters within a box in the world may shadow visible geometry. Conservative
+/// by a pixel; the whole picture if the visible geometry is unknown, or the light is in the box;
+/// empty for an empty box.
+PixelRectangle shadowReach(const FrameView& view, const Box& casters, const Light& light);
+
 /// The same rectangle in a picture of `size` that shows the same view: whole pixels, with a margin
 /// of two.
 PixelRectangle scaledReach(const PixelRectangle& reach, const FrameView& view,

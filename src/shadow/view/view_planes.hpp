@@ -11,7 +11,7 @@ namespace edgeshade {
 /// visible depth; dot(plane, (p, 1)) >= 0 inside.
 using ViewPlanes = std::array<glm::dvec4, 6>;
 
-/// The planes for a batch placed by `worldFromBatch`.
+/// The planes for a batch placed by `worldFromBatch`, around FrameView::part if it is set.
 ViewPlanes viewPlanes(const FrameView& view, const DepthSlice& slice,
                       const glm::dmat4& worldFromBatch);
 

@@ -5,6 +5,7 @@ import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
 import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { ExactShadows } from 'edgeshade/three';
+import { glbAsPosed, walkingFigure } from './figure.js';
 import { comparedWithRays } from './rays.js';
 
 /** A renderer with its own canvas in the page. */
@@ -235,4 +236,4 @@ function rendererName() {
   return gl?.getParameter(gl.getExtension('WEBGL_debug_renderer_info')?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER) ?? '';
 }
 
-window.page = { rendererName, hash, redAt, stateOf, attributesOf, three, ExactShadows, rendererOf, loaded, whiten, cameraOf, lampOf, drawn, rested, frame, redOf, base64Of, yard, pattern, fence, changedPicture, comparedWithRays };
+window.page = { rendererName, hash, redAt, stateOf, attributesOf, three, ExactShadows, rendererOf, loaded, whiten, cameraOf, lampOf, drawn, rested, frame, redOf, base64Of, yard, pattern, fence, changedPicture, comparedWithRays, glbAsPosed, walkingFigure };

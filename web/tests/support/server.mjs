@@ -9,6 +9,7 @@ import { smallGltf, texelsAsPng, texturedGltf } from './scenes.mjs';
 
 export const repository = fileURLToPath(new URL('../../../', import.meta.url));
 const usual = {
+  '/models/': join(repository, 'assets/'),
   '/tests/': fileURLToPath(new URL('../pages/', import.meta.url)),
   '/compare/': join(repository, 'web/compare/'),
   '/node_modules/': join(repository, 'web/node_modules/'),
