@@ -1,6 +1,6 @@
 /** Exact shadows in three.js. */
 
-import type { Camera, Light, Object3D, WebGLRenderer } from 'three';
+import type { Camera, Color, Light, Material, Object3D, WebGLRenderer, WebGLRenderTarget } from 'three';
 import type { MaskCost } from '../masks/shadow-masks.js';
 
 export interface ExactShadowsOptions {
@@ -59,8 +59,11 @@ export class ExactShadows {
 
   /** Use it in place of renderer.render(); draws into the current render target and viewport. */
   render(scene: Object3D, camera: Camera): void;
-  /** Draws only the masks, for your own render(); returns whether there are any. */
-  beginMasks(scene: Object3D, camera: Camera): boolean;
+  /**
+   * Draws only the masks, for your own render(); returns whether there are any. `target`: that
+   * render's target, whose viewport the masks have the size of. Default: the current one.
+   */
+  beginMasks(scene: Object3D, camera: Camera, target?: WebGLRenderTarget | null): boolean;
   /** Call it after that: three.js then draws without masks. */
   endMasks(): void;
 
@@ -75,5 +78,28 @@ export class ExactShadows {
   readonly notLookedUp: Map<Light, string>;
 
   /** Frees everything; restores the materials. */
+  dispose(): void;
+}
+
+/** A pass for EffectComposer in place of RenderPass: draws the scene with its shadows. */
+export class ExactShadowsPass {
+  constructor(shadows: ExactShadows, scene: Object3D, camera: Camera, overrideMaterial?: Material | null,
+    clearColor?: Color | string | number | null, clearAlpha?: number | null);
+
+  shadows: ExactShadows;
+  scene: Object3D;
+  camera: Camera;
+  overrideMaterial: Material | null;
+  clearColor: Color | string | number | null;
+  clearAlpha: number | null;
+  readonly isPass: true;
+  readonly isRenderPass: true;
+  enabled: boolean;
+  needsSwap: boolean;
+  clear: boolean;
+  clearDepth: boolean;
+  renderToScreen: boolean;
+  setSize(width: number, height: number): void;
+  render(renderer: WebGLRenderer, writeBuffer: WebGLRenderTarget, readBuffer: WebGLRenderTarget): void;
   dispose(): void;
 }

@@ -11,6 +11,8 @@ import { MaterialPatches } from './material-patch.js';
 import { RestingLights } from './resting-lights.js';
 import { castingLights } from './scene-lights.js';
 
+export { ExactShadowsPass } from './exact-shadows-pass.js';
+
 /** Index of the first map in MaskTextures, after nearness and masks. */
 const firstMap = 1 + mostLights / 4;
 
@@ -169,10 +171,10 @@ export class ExactShadows {
   }
 
   /** Draws only the masks, for the host's own render() right after it, which ends with
-   * endMasks(). Returns whether there are any. */
-  beginMasks(scene, camera) {
+   * endMasks(). `target`: that render's. Returns whether there are any. */
+  beginMasks(scene, camera, target = this.#renderer.getRenderTarget()) {
     this.#last = { scene, camera };
-    return this.#draw(scene, camera);
+    return this.#draw(scene, camera, target);
   }
 
   /** From here on three.js draws without masks. */
@@ -200,7 +202,7 @@ export class ExactShadows {
    * Draws the masks of lights that aren't looked up, for the next render; returns false if there
    * are no shadows.
    */
-  #draw(scene, camera) {
+  #draw(scene, camera, target) {
     if (this.#disposed) throw new Error('These ExactShadows were disposed of.');
     if (this.#lost || camera.isArrayCamera || this.#renderer.xr.isPresenting) return false;
     const lights = this.#follow({ scene, camera });
@@ -208,7 +210,9 @@ export class ExactShadows {
     const casting = castingLights(lights, (light) => this.#radii.get(light) ?? 0);
     this.#complete ||= this.#casters.pending === 0;
     if (casting.lights.length === 0 || !this.#complete) return false;
-    this.#renderer.getCurrentViewport(this.#viewport);
+    if (target === this.#renderer.getRenderTarget()) this.#renderer.getCurrentViewport(this.#viewport);
+    else if (target) this.#viewport.copy(target.viewport);
+    else this.#renderer.getViewport(this.#viewport).multiplyScalar(this.#renderer.getPixelRatio()).floor();
     const { x, y, z: width, w: height } = this.#viewport;
     if (width < 1 || height < 1) return false;
     const maps = this.#mapsOf(casting);
