@@ -8,6 +8,9 @@ import { isPosed, poseOf, sameNumbers, shapeOf, texcoordsOf, versionsOf } from '
 /** Up to this many triangles edges are found immediately, well within a frame. */
 const fewTriangles = 500;
 
+/** A plane that clips everything. */
+const nothingStays = [0, 0, 0, -1];
+
 const materialsOf = (mesh) => [mesh.material].flat().filter(Boolean);
 /**
  * Whether masks can show a material: behind see-through and dithered surfaces others are visible.
@@ -128,6 +131,25 @@ export class Casters {
     if (!entry) return;
     entry.ahead = false;
     if (entry.number >= 0) this.#masks.upload(entry.number);
+  }
+
+  /**
+   * Calls draw() as another camera shows the meshes: those that are not in `shown`, a Set, and what
+   * `plane` (null for none) clips, are invisible and still cast.
+   */
+  asSeen(shown, plane, draw) {
+    const changed = [];
+    try {
+      for (const [mesh, had] of this.#meshes) {
+        if (shown.has(mesh) && !plane) continue;
+        changed.push(had);
+        const further = { planes: [shown.has(mesh) ? plane : nothingStays], casts: true };
+        for (const id of had.ids) this.#masks.setClippings(id, [...had.clippings, further]);
+      }
+      return draw();
+    } finally {
+      for (const { ids, clippings } of changed) for (const id of ids) this.#masks.setClippings(id, clippings);
+    }
   }
 
   /** Called when the engine has lost everything added to it. */

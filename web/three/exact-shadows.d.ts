@@ -1,6 +1,6 @@
 /** Exact shadows in three.js. */
 
-import type { Camera, Color, Light, Material, Object3D, WebGLRenderer, WebGLRenderTarget } from 'three';
+import type { Camera, Color, CubeCamera, Light, Material, Object3D, WebGLRenderer, WebGLRenderTarget } from 'three';
 import type { MaskCost } from '../masks/shadow-masks.js';
 
 export interface ExactShadowsOptions {
@@ -57,14 +57,19 @@ export class ExactShadows {
    */
   setRadius(light: Light, radius: number): this;
 
-  /** Use it in place of renderer.render(); draws into the current render target and viewport. */
-  render(scene: Object3D, camera: Camera): void;
   /**
-   * Draws only the masks, for your own render(); returns whether there are any. `target`: that
+   * Use it in place of renderer.render(); draws into the current render target and viewport. Other
+   * cameras that draw the scene meanwhile, such as a Reflector's, have shadows of their own. A
+   * CubeCamera is updated.
+   */
+  render(scene: Object3D, camera: Camera | CubeCamera): void;
+  /**
+   * Draws only the masks, for your own render(); returns whether there are any. Until endMasks()
+   * every camera that draws the scene has shadows of its own. `target`: that
    * render's target, whose viewport the masks have the size of. Default: the current one.
    */
   beginMasks(scene: Object3D, camera: Camera, target?: WebGLRenderTarget | null): boolean;
-  /** Call it after that: three.js then draws without masks. */
+  /** Call it after that: three.js then draws without shadows. */
   endMasks(): void;
 
   /** Resolves once everything in the last render() has its shadows. Throws any error. */

@@ -47,7 +47,7 @@ uniform mediump sampler2D edgeshadeMasks[ ( ${all} + 3 ) / 4 ];
 uniform float edgeshadeIntensities[ ${all} ];
 uniform highp sampler2D edgeshadeNearness;
 uniform highp vec4 edgeshadeViewport; // x, y, 1 / width, 1 / height; 0: there are no shadows
-uniform highp vec3 edgeshadeOwn;      // nearness by gl_FragCoord.w, gl_FragCoord.z and as it is
+uniform highp vec3 edgeshadeOwn;      // nearness by gl_FragCoord.w, depth and as it is
 uniform int edgeshadeWays[ ${all} ];   // a light's channel of the masks, or -1 - the slot of its map
 uniform int edgeshadeMasked;           // 1: there are masks; 0: all lights are looked up
 
@@ -59,9 +59,9 @@ highp float edgeshadeNearnessAt( const in highp vec2 place ) {
 	return dot( floor( texture2D( edgeshadeNearness, place ).rgb * 255.0 + 0.5 ), vec3( 65536.0, 256.0, 1.0 ) ) / 16777215.0;
 }
 
-highp vec2 edgeshadeFindTexel() {
+highp vec2 edgeshadeFindTexel( const in highp float depth ) {
 	highp vec2 place = ( gl_FragCoord.xy - edgeshadeViewport.xy ) * edgeshadeViewport.zw;
-	highp float own = edgeshadeOwn.x * gl_FragCoord.w + edgeshadeOwn.y * gl_FragCoord.z + edgeshadeOwn.z;
+	highp float own = edgeshadeOwn.x * gl_FragCoord.w + edgeshadeOwn.y * depth + edgeshadeOwn.z;
 	highp vec2 change = vec2( dFdx( own ), dFdy( own ) );
 	highp float least = abs( edgeshadeNearnessAt( place ) - own );
 	if ( least <= 0.1 * ( abs( change.x ) + abs( change.y ) ) + 1e-5 * own + 2.0 / 16777215.0 ) return place;
@@ -103,7 +103,7 @@ float edgeshadeLit( const in int light ) {
 
 void edgeshadeFind( const in highp vec3 position ) {
 	edgeshadeTexel = vec2( 0.0 );
-	for ( int i = 0; i < edgeshadeMasked; i ++ ) edgeshadeTexel = edgeshadeFindTexel();
+	for ( int i = 0; i < edgeshadeMasked; i ++ ) edgeshadeTexel = edgeshadeFindTexel( - position.z );
 	edgeshadeAskMaps( position );
 }
 

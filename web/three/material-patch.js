@@ -58,10 +58,13 @@ export class MaterialPatches {
   #mostTextures;
   #most;
   #slots;
+  #draws;
 
   /** `uniforms`: for declarations(), in three.js's form, shared by all materials;
-   * `mostTextures`: limit per program; `most`: lights' maps at once. */
-  constructor(uniforms, mostTextures, most) {
+   * `mostTextures`: limit per program; `most`: lights' maps at once; `draws(camera)` is called
+   * before three.js draws a material. */
+  constructor(uniforms, mostTextures, most, draws) {
+    this.#draws = draws;
     this.#uniforms = uniforms;
     this.#mostTextures = mostTextures;
     this.#most = this.#slots = most;
@@ -81,14 +84,19 @@ export class MaterialPatches {
     if (known || !takesShadow(material)) return;
     const slots = slotsOf(material, this.#mostTextures, this.#most);
     this.#slots = Math.min(this.#slots, slots);
-    const { onBeforeCompile, customProgramCacheKey } = material;
+    const { onBeforeCompile, customProgramCacheKey, onBeforeRender } = material;
     const own = Object.hasOwn(material, 'customProgramCacheKey');
     const uniforms = { ...this.#uniforms, edgeshadeCasts: { value: casts } };
-    this.#patched.set(material, { onBeforeCompile, customProgramCacheKey, own, casts: uniforms.edgeshadeCasts });
+    this.#patched.set(material, { onBeforeCompile, customProgramCacheKey, onBeforeRender, own, ownRender: Object.hasOwn(material, 'onBeforeRender'), casts: uniforms.edgeshadeCasts });
     const reference = new WeakRef(material);
     this.#alive.add(reference);
     this.#gone.register(material, reference);
     const key = `${this.#key} ${slots}`;
+    const draws = this.#draws;
+    material.onBeforeRender = function (renderer, scene, camera, ...given) {
+      onBeforeRender.call(this, renderer, scene, camera, ...given);
+      draws(camera);
+    };
     material.onBeforeCompile = function (shader, renderer) {
       onBeforeCompile.call(this, shader, renderer);
       Object.assign(shader.uniforms, uniforms);
@@ -108,10 +116,12 @@ export class MaterialPatches {
     for (const reference of this.#alive) {
       const material = reference.deref();
       if (!material) continue;
-      const { onBeforeCompile, customProgramCacheKey, own } = this.#patched.get(material);
+      const { onBeforeCompile, customProgramCacheKey, onBeforeRender, own, ownRender } = this.#patched.get(material);
       material.onBeforeCompile = onBeforeCompile;
       if (own) material.customProgramCacheKey = customProgramCacheKey;
       else delete material.customProgramCacheKey;
+      if (ownRender) material.onBeforeRender = onBeforeRender;
+      else delete material.onBeforeRender;
       material.needsUpdate = true;
     }
     this.#patched = new WeakMap();

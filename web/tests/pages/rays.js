@@ -27,6 +27,7 @@ function rayPicture(renderer, scene, camera, light) {
       ray.setFromCamera(aim.set(2 * (x + 0.5) / width - 1, 1 - 2 * (y + 0.5) / height), camera);
       ray.near = 0;
       ray.far = Infinity;
+      ray.layers.mask = camera.layers.mask;
       const eye = ray.ray.direction.clone();
       const hit = ray.intersectObjects(meshes, false).find(({ point, object: { material } }) =>
         !renderer.clippingPlanes.some(isBeyond(point)) && !clipsLocally(renderer, material, point));
@@ -46,6 +47,7 @@ function rayPicture(renderer, scene, camera, light) {
       towards.normalize();
       const faces = normal.dot(towards) > 0;
       ray.set(hit.point, towards);
+      ray.layers.enableAll();
       const lit = faces && !ray.intersectObjects(meshes, false).some(({ point, object: { material } }) =>
         !(material.clipShadows && clipsLocally(renderer, material, point)));
       const side = Math.round(normal.x) + 3 * Math.round(normal.y) + 9 * Math.round(normal.z) + 13;

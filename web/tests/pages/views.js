@@ -22,7 +22,7 @@ export function court({ lamp = false, side = three.FrontSide, renderer = null } 
   const chest = boxOf([0.9, 0.7, 0.6], [-0.6, 0.65, 0.4]);
   const columns = [[1.2, 0.8, 0.9], [1.4, 0.8, -0.8], [-1.8, 0.8, -0.9]].map((at) => placed(new three.CylinderGeometry(0.2, 0.2, 1.6, 7), at));
   const light = lamp ? new three.PointLight(0xffffff, Math.PI, 0, 0) : new three.DirectionalLight(0xffffff, Math.PI);
-  light.position.set(...(lamp ? [0.15, 3.47, 0.31] : [0.55, 1, 0.37]));
+  light.position.set(...(lamp ? [0.15, 3.47, 0.31] : [-0.9, 1, -0.3]));
   light.castShadow = true;
   scene.add(light);
   const camera = new three.PerspectiveCamera(50, 1.6, 0.1, 100);
@@ -36,11 +36,13 @@ export const targetOf = (width, height) => new three.WebGLRenderTarget(width, he
 
 /** Red bytes of a target, or of a cube's face, rows from the top. */
 export function redOfTarget(renderer, target, face) {
-  const { width, height } = target;
-  const rgba = new Uint8Array(4 * width * height);
+  const { width, height, texture } = target;
+  const halves = texture.type === three.HalfFloatType;
+  const rgba = new (halves ? Uint16Array : Uint8Array)(4 * width * height);
   renderer.readRenderTargetPixels(target, 0, 0, width, height, rgba, face);
   const red = [];
-  for (let y = height - 1; y >= 0; --y) for (let x = 0; x < width; ++x) red.push(rgba[4 * (y * width + x)]);
+  for (let y = height - 1; y >= 0; --y)
+    for (let x = 0; x < width; ++x) red.push(halves ? 255 * three.DataUtils.fromHalfFloat(rgba[4 * (y * width + x)]) : rgba[4 * (y * width + x)]);
   return red;
 }
 
