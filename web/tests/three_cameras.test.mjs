@@ -236,6 +236,42 @@ for (const [release, looked, keepsState] of [['three-0.152', false, false], ['th
     assertRight(told, { least: 300, dark: 30 });
   });
 
+for (const release of ['three-0.169', 'three'])
+  for (const keepsState of [false, true])
+    test(`reversed depths, in ${release}${keepsState ? ', all state kept' : ''}`, async () => {
+      const { told, warnings } = await inPage(async ({ three, ExactShadows, rendererOf, court, redOf, judged, rested, targetOf, redOfTarget }, given) => {
+        const names = { reversedDepthBuffer: true, reverseDepthBuffer: true };
+        const renderer = rendererOf({ width: 160, height: 100, ...names });
+        const gl = renderer.getContext(), clip = gl.getExtension('EXT_clip_control');
+        const { scene, camera, light } = court();
+        const told = {};
+        for (const lookups of [0, 1]) {
+          const shadows = new ExactShadows(renderer, { keepsState: given, lookups }).add(scene);
+          await rested(shadows, scene, camera, lookups);
+          shadows.render(scene, camera);
+          told[`lookups ${lookups}`] = judged(redOf(renderer), 160, 100, scene, camera, light);
+          if (!lookups) {
+            const target = targetOf(100, 80);
+            renderer.setRenderTarget(target);
+            shadows.render(scene, camera);
+            renderer.setRenderTarget(null);
+            told['a target'] = judged(redOfTarget(renderer, target), 100, 80, scene, camera, light);
+            const level = new three.OrthographicCamera(-4, 4, 2.5, -2.5, 0.1, 50);
+            level.position.copy(camera.position);
+            level.quaternion.copy(camera.quaternion);
+            for (let i = 0; i < 2; ++i) shadows.render(scene, level);
+            told.orthographic = judged(redOf(renderer), 160, 100, scene, level, light);
+          }
+          shadows.dispose();
+        }
+        return { told, mode: clip && gl.getParameter(clip.CLIP_DEPTH_MODE_EXT) === clip.ZERO_TO_ONE_EXT };
+      }, keepsState, release);
+      console.log(release, keepsState, told);
+      assert.deepEqual(warnings, []);
+      assert.ok(told.mode, 'depths are still reversed');
+      assertRight(told.told);
+    });
+
 test('a camera that masks cannot follow has no shadows, and one warning', async () => {
   const { told, warnings } = await inPage(async ({ three, ExactShadows, rendererOf, court, targetOf, redOfTarget, redOf, judged, drawn }) => {
     const renderer = rendererOf({ width: 160, height: 100 });

@@ -252,7 +252,12 @@ export class ExactShadows {
     if (this.#keepsState) return;
     const renderer = this.#renderer;
     const target = [renderer.getRenderTarget(), renderer.getActiveCubeFace(), renderer.getActiveMipmapLevel()];
-    renderer.resetState(); // this forgets the target, too
+    const { depth } = renderer.state.buffers, isReversed = depth.getReversed?.();
+    renderer.resetState(); // this forgets the target and reversed depths, too
+    if (isReversed) {
+      depth.setReversed(true);
+      depth.setClear(1);
+    }
     renderer.setRenderTarget(...target);
   }
 

@@ -9,8 +9,8 @@ import { comparedWithRays } from './rays.js';
 import * as views from './views.js';
 
 /** A renderer with its own canvas in the page. */
-function rendererOf({ width = 480, height = 270, antialias = false, pixelRatio = 1, clear = 0x000000 } = {}) {
-  const renderer = new three.WebGLRenderer({ antialias, preserveDrawingBuffer: true });
+function rendererOf({ width = 480, height = 270, antialias = false, pixelRatio = 1, clear = 0x000000, ...others } = {}) {
+  const renderer = new three.WebGLRenderer({ antialias, preserveDrawingBuffer: true, ...others });
   renderer.setPixelRatio(pixelRatio);
   renderer.setSize(width, height);
   renderer.setClearColor(clear, 1);
