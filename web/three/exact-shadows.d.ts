@@ -24,9 +24,11 @@ export interface ExactShadowsOptions {
 /**
  * Exact shadows for directional, point and spot lights with castShadow: cast by meshes with
  * castShadow, and received by meshes with receiveShadow of standard, physical, Lambert, Phong, toon
- * and shadow materials. Meshes may be instanced, skinned and morphed. Pictures have no shadows
- * until the edges of all meshes are found. A light that has rested for half a second, with all
- * casters, is looked up once a worker has built its map, until something moves.
+ * and shadow materials, and of your own with lights. Meshes may be instanced, batched, skinned and
+ * morphed, and have several materials. Wireframes and displaced surfaces cast nothing, and one
+ * warning in the console names each. Pictures have no shadows until the edges of all meshes are
+ * found. A light that has rested for half a second, with all casters, is looked up once a worker
+ * has built its map, until something moves.
  *
  * An alpha-tested surface (alphaTest, with the alpha of map or the green of alphaMap; with both,
  * alphaMap's) receives shadow where it is solid, and surfaces seen through its holes have their

@@ -123,20 +123,25 @@ const litBy = (kind) => /* glsl */`
 		#endif
 `;
 
-/** The start of each light kind's part in three.js's chunk. */
-const beginnings = { point: 'getPointLightInfo(', spot: 'getSpotLightInfo(', directional: 'getDirectionalLightInfo(' };
+/** The start of each light kind's part in three.js's chunk: a call, not a definition. */
+const beginnings = { point: /getPointLightInfo\s*\(\s*\w+\s*,/, spot: /getSpotLightInfo\s*\(\s*\w+\s*,/,
+  directional: /getDirectionalLightInfo\s*\(\s*\w+\s*,/ };
 
-/** lights_fragment_begin with masks: scales each light by its mask before adding it; without
- * masks, three.js's own shadow map is sampled. */
-export function lightsWithMasks(chunk) {
-  let text = chunk;
+const declaresLight = /IncidentLight\s+directLight\s*;/;
+
+/** lights_fragment_begin with masks, or a shader that contains it: scales each light by its mask
+ * before adding it; without masks, three.js's own shadow map is sampled. Null if it isn't there. */
+export function lightsWithMasks(source) {
+  if (!declaresLight.test(source)) return null;
+  let text = source;
   for (const [kind, begins] of Object.entries(beginnings)) {
-    const begin = text.indexOf(begins);
+    const begin = text.search(begins);
     const add = text.indexOf('RE_Direct(', begin);
-    if (begin < 0 || add < 0) throw new Error(`This release of three.js lights surfaces in a way that edgeshade does not know (${kind} lights).`);
+    const unrolled = text.lastIndexOf('unroll_loop_start', begin) > text.lastIndexOf('unroll_loop_end', begin);
+    if (begin < 0 || add < 0 || !unrolled) return null;
     text = text.slice(0, add) + litBy(kind).trimStart() + '\t\t' + text.slice(add);
   }
-  return find + text.replaceAll('directLight.visible && receiveShadow', 'directLight.visible && receiveShadow && ! edgeshadeHasMasks()');
+  return text.replace(declaresLight, (found) => found + find).replaceAll('directLight.visible && receiveShadow', 'directLight.visible && receiveShadow && ! edgeshadeHasMasks()');
 }
 
 /** The value of a ShadowMaterial, in place of getShadowMask(). */

@@ -5,12 +5,12 @@ import { engineViewOf } from './engine-view.js';
 import { MaskCopies } from './mask-copies.js';
 import { takesShadow } from './material-patch.js';
 
-/** Whether masks of a mesh's own material are those of a material in its place. */
-function standsIn(override, { material }) {
-  if (Array.isArray(material) || material.allowOverride === false) return material.allowOverride === false;
-  return !override.alphaTest && !(material.alphaTest > 0) && !material.transparent && !material.alphaHash &&
-    material.side === override.side;
-}
+/** Whether a material shows the whole of its triangles, and where they are. */
+const isPlain = (material) => !(material.alphaTest > 0 || material.transparent || material.alphaHash || material.wireframe || material.displacementMap);
+
+/** Whether masks of a mesh's own materials are those of a material in their place. */
+const standsIn = (override, mesh) => [mesh.material].flat().every((own) =>
+  own.allowOverride === false || (isPlain(override) && isPlain(own) && own.side === override.side));
 
 export class MaskViews {
   #renderer;
