@@ -44,6 +44,7 @@ export class HostState {
   #arrays; // bind(), binding and the engine's own vertex array, if the context has vertex arrays
   #instancing;
   #units;
+  #clip;
   #isGone;
 
   /** `isGone(texture)`: whether drawing has deleted it, so that it can't be bound again. */
@@ -58,6 +59,7 @@ export class HostState {
       this.#arrays = { bind: (array) => extension.bindVertexArrayOES(array), binding: extension.VERTEX_ARRAY_BINDING_OES,
         own: extension.createVertexArrayOES() };
     this.#instancing = this.#webGl2 ? null : gl.getExtension('ANGLE_instanced_arrays');
+    this.#clip = gl.getExtension('EXT_clip_control');
     this.#units = gl.getParameter(gl.MAX_TEXTURE_IMAGE_UNITS);
   }
 
@@ -66,7 +68,7 @@ export class HostState {
    * `all`: restores also the state that the browser can't report without waiting for pending draws
    * (keepFunctions()); otherwise that state is left as drawing set it. */
   keptWhile(draw, all) {
-    const restores = [this.#keepBindings(), this.#keepSwitches(), ...(all ? [this.#keepFunctions()] : []), this.#keepArrays()];
+    const restores = [this.#keepBindings(), this.#keepSwitches(), this.#keepClipControl(), ...(all ? [this.#keepFunctions()] : []), this.#keepArrays()];
     for (const name of pageStorage) this.#gl.pixelStorei(this.#gl[name], 0);
     try {
       return draw();
@@ -120,6 +122,15 @@ export class HostState {
       for (const [name, value] of stored) gl.pixelStorei(name, value);
       gl.viewport(...viewport);
     };
+  }
+
+  /** The engine's depths are WebGL's own; hosts with reversed depths set others. */
+  #keepClipControl() {
+    if (!this.#clip) return () => {};
+    const { CLIP_ORIGIN_EXT, CLIP_DEPTH_MODE_EXT, LOWER_LEFT_EXT, NEGATIVE_ONE_TO_ONE_EXT } = this.#clip;
+    const had = [CLIP_ORIGIN_EXT, CLIP_DEPTH_MODE_EXT].map((name) => this.#gl.getParameter(name));
+    this.#clip.clipControlEXT(LOWER_LEFT_EXT, NEGATIVE_ONE_TO_ONE_EXT);
+    return () => this.#clip.clipControlEXT(...had);
   }
 
   #keepFunctions() {

@@ -3,12 +3,16 @@
 import { BackSide, DoubleSide, Matrix4 } from 'three';
 import { isAlphaTested, sameAlpha, texcoordsNameOf } from './alpha-tests.js';
 import { unclipped } from './clippings.js';
+import { nearOrigin } from './far-vertices.js';
+import { MeshParts, whyNotInMasks } from './mesh-parts.js';
 import { isPosed, poseOf, sameNumbers, shapeOf, texcoordsOf, versionsOf } from './mesh-shape.js';
 
 /** Up to this many triangles edges are found immediately, well within a frame. */
 const fewTriangles = 500;
 
-const materialsOf = (mesh) => [mesh.material].flat().filter(Boolean);
+/** A plane that clips everything. */
+const nothingStays = [0, 0, 0, -1];
+
 /**
  * Whether masks can show a material: behind see-through and dithered surfaces others are visible.
  */
@@ -16,31 +20,18 @@ const isShown = (material) => material.visible && !material.alphaHash && (!mater
 
 const place = new Matrix4(), instance = new Matrix4();
 
-/**
- * How the mask engine treats a mesh; null: not at all. With several materials, alpha tests count if
- * all of them have one.
- */
-function roleOf(mesh, alphaTestedCast) {
-  if (!mesh.geometry?.attributes?.position) return null;
-  const { material } = mesh;
-  if (!Array.isArray(material) && material && !isAlphaTested(material)) {
-    // As below, without garbage.
-    if (!isShown(material) || (!mesh.castShadow && !mesh.receiveShadow)) return null;
-    return plainRole(Boolean(mesh.castShadow), material.side);
-  }
-  const materials = materialsOf(mesh);
-  const shown = materials.filter(isShown);
-  if (shown.length === 0) return null;
-  const tested = shown.every(isAlphaTested) ? shown[0] : null;
-  const casts = Boolean(mesh.castShadow && (alphaTestedCast || !tested));
-  if (!casts && !mesh.receiveShadow) return null;
-  const sides = new Set(materials.map(({ side }) => side));
-  return made(casts, tested, materials[0].side, sides.size > 1);
+/** How the mask engine treats a mesh with one material; null: not at all. */
+function roleOf({ geometry, material, castShadow, receiveShadow }, alphaTestedCast) {
+  if (!geometry?.attributes?.position || !material || !isShown(material)) return null;
+  const tested = isAlphaTested(material) ? material : null;
+  const casts = Boolean(castShadow && (alphaTestedCast || !tested));
+  if (!casts && !receiveShadow) return null;
+  return tested ? made(casts, tested, material.side) : plainRole(casts, material.side);
 }
 
 /** A role and its key. */
-function made(casts, tested, side, mixed) {
-  const texcoords = tested && texcoordsNameOf(tested), inward = side === BackSide, doubleSided = mixed || side === DoubleSide;
+function made(casts, tested, side) {
+  const texcoords = tested && texcoordsNameOf(tested), inward = side === BackSide, doubleSided = side === DoubleSide;
   return { casts, tested, texcoords, doubleSided, inward, key: `${casts} ${doubleSided} ${inward} ${texcoords}` };
 }
 
@@ -51,19 +42,20 @@ function plainRole(casts, side) {
   return (plainRoles[2 * side + casts] ??= made(casts, null, side));
 }
 
-/** The engine's matrix for a place, or null if it flattens the mesh. */
-function numbersOf(matrix) {
+/** The engine's matrix for a place and an origin of positions, or null if it flattens the mesh. */
+function numbersOf(matrix, [x, y, z]) {
   const numbers = [...matrix.elements];
+  for (let i = 0; i < 3; ++i) numbers[12 + i] += numbers[i] * x + numbers[4 + i] * y + numbers[8 + i] * z;
   [numbers[3], numbers[7], numbers[11], numbers[15]] = [0, 0, 0, 1];
   return matrix.determinant() === 0 || !numbers.every(Number.isFinite) ? null : numbers;
 }
 
 /** The places of a mesh, several if it is instanced. */
-function placesOf(mesh) {
-  if (!mesh.isInstancedMesh) return [numbersOf(mesh.matrixWorld)];
+function placesOf(mesh, origin) {
+  if (!mesh.isInstancedMesh) return [numbersOf(mesh.matrixWorld, origin)];
   return Array.from({ length: mesh.count }, (_, i) => {
     mesh.getMatrixAt(i, instance);
-    return numbersOf(place.multiplyMatrices(mesh.matrixWorld, instance));
+    return numbersOf(place.multiplyMatrices(mesh.matrixWorld, instance), origin);
   });
 }
 
@@ -71,16 +63,18 @@ export class Casters {
   #masks;
   #alphaTests;
   #clippings;
-  #prepared = new Map(); // by key: {number or null while pending, users, promise; ahead: still to
-                         // upload}
+  #prepared = new Map(); // by key: {number or null while pending, users, promise, origin of its
+                         // positions; ahead: still to upload}
   #meshes = new Map();   // three.js's mesh: the engine's record of it
   #problems = [];
+  #parts;
   #told = new WeakSet(); // meshes that were warned of
 
   constructor(masks, alphaTests, clippings) {
     this.#masks = masks;
     this.#alphaTests = alphaTests;
     this.#clippings = clippings;
+    this.#parts = new MeshParts(clippings);
   }
 
   /** Number of meshes whose edges aren't found yet, or that aren't uploaded. */
@@ -88,9 +82,15 @@ export class Casters {
     return [...this.#prepared.values()].filter(({ number, ahead }) => number === null || ahead).length;
   }
 
-  /** Whether a followed mesh casts with all of its triangles, as lookups may assume. */
-  casts(mesh) {
-    return Boolean(this.#meshes.get(mesh)?.casts);
+  /**
+   * Whether a followed mesh casts with all of its triangles, and has been as it is since `since`: so
+   * that maps begun later hold it, as lookups may assume.
+   */
+  casts(mesh, since) {
+    return (this.#parts.last(mesh) ?? [mesh]).every((part) => {
+      const had = this.#meshes.get(part);
+      return Boolean(had?.casts) && had.changed < since;
+    });
   }
 
   /** Resolves when nothing is pending; throws any error since the last call. */
@@ -109,13 +109,26 @@ export class Casters {
   follow(meshes, alphaTestedCast) {
     const seen = new Set();
     for (const mesh of meshes) {
-      const role = roleOf(mesh, alphaTestedCast);
-      if (!role) continue;
-      seen.add(mesh);
-      this.#followOne(mesh, role);
+      for (const part of this.#parts.of(mesh) ?? [mesh]) {
+        const role = roleOf(part, alphaTestedCast);
+        if (!role || this.#isLeftOut(part, role, mesh)) continue;
+        seen.add(part);
+        this.#followOne(part, role);
+        this.#meshes.get(part).whole = mesh;
+      }
     }
     for (const mesh of [...this.#meshes.keys()]) if (!seen.has(mesh)) this.#drop(mesh);
     this.#uploadOne();
+  }
+
+  /** Whether masks can't show a mesh; warns once of what it lacks. */
+  #isLeftOut(part, { casts }, mesh) {
+    const why = whyNotInMasks(part);
+    if (why && !this.#told.has(mesh)) {
+      this.#told.add(mesh);
+      console.warn(`Mesh '${mesh.name}' ${casts ? 'casts no shadow, and ' : ''}receives only shadows of lights that are looked up: ${why}.`);
+    }
+    return why !== '';
   }
 
   /** Uploads a large mesh in one frame, and adds it in the next. */
@@ -124,6 +137,25 @@ export class Casters {
     if (!entry) return;
     entry.ahead = false;
     if (entry.number >= 0) this.#masks.upload(entry.number);
+  }
+
+  /**
+   * Calls draw() as another camera shows the meshes: those that are not in `shown`, a Set, and what
+   * `plane` (null for none) clips, are invisible and still cast.
+   */
+  asSeen(shown, plane, draw) {
+    const changed = [];
+    try {
+      for (const had of this.#meshes.values()) {
+        if (shown.has(had.whole) && !plane) continue;
+        changed.push(had);
+        const further = { planes: [shown.has(had.whole) ? plane : nothingStays], casts: true };
+        for (const id of had.ids) this.#masks.setClippings(id, [...had.clippings, further]);
+      }
+      return draw();
+    } finally {
+      for (const { ids, clippings } of changed) for (const id of ids) this.#masks.setClippings(id, clippings);
+    }
   }
 
   /** Called when the engine has lost everything added to it. */
@@ -141,10 +173,10 @@ export class Casters {
     had.casts = role.casts;
     if (isPosed(mesh)) this.#pose(mesh, role, had);
     else this.#followShape(mesh, role, had);
-    const { number: found = null, ahead } = this.#prepared.get(had.key) ?? {};
+    const { number: found = null, ahead, origin } = this.#prepared.get(had.key) ?? {};
     if (found === null || ahead) return;
     this.#clip(mesh, had);
-    this.#place(mesh, found, had);
+    this.#place(mesh, found, origin, had);
     if (role.tested) this.#setAlpha(role.tested, had);
   }
 
@@ -167,7 +199,7 @@ export class Casters {
       return;
     }
     const shape = this.#shapeOf(mesh, role);
-    const entry = { number: null, users: 1, promise: null };
+    const entry = { number: null, users: 1, promise: null, origin: shape.origin };
     this.#prepared.set(key, entry);
     if (shape.indices.length <= 3 * fewTriangles) {
       this.#prepareNow(shape, entry);
@@ -202,21 +234,26 @@ export class Casters {
     if (had.key === mesh.uuid && had.version === version && sameNumbers(had.pose, pose)) return;
     this.#release(had.key);
     Object.assign(had, { key: mesh.uuid, version, pose });
-    const entry = { number: null, users: 1, promise: null };
+    const shape = this.#shapeOf(mesh, role);
+    const entry = { number: null, users: 1, promise: null, origin: shape.origin };
     this.#prepared.set(had.key, entry);
-    this.#prepareNow({ ...this.#shapeOf(mesh, role), bends: true }, entry);
+    this.#prepareNow({ ...shape, bends: true }, entry);
   }
 
   #shapeOf(mesh, { casts, tested, texcoords, doubleSided, inward }) {
-    const shape = { ...shapeOf(mesh), casts, doubleSided };
+    const drawn = shapeOf(mesh);
+    const shape = { ...drawn, ...nearOrigin(drawn.positions), casts, doubleSided };
     if (inward) shape.indices.reverse();
-    return tested ? { ...shape, alphaTested: true, texcoords: texcoordsOf(mesh, texcoords) } : shape;
+    const { first, positions: { length } } = shape;
+    return tested ? { ...shape, alphaTested: true, texcoords: texcoordsOf(mesh, texcoords).subarray(2 * first, 2 * first + length / 1.5) } : shape;
   }
 
-  #place(mesh, number, had) {
+  #place(mesh, number, origin, had) {
     if (!mesh.isInstancedMesh && had.shown === number && had.ids.length === 1 && sameNumbers(had.places[0], mesh.matrixWorld.elements)) return;
-    const places = number < 0 ? [] : placesOf(mesh).filter(Boolean);
+    const places = number < 0 ? [] : placesOf(mesh, origin).filter(Boolean);
     const ids = had.ids;
+    const stays = had.shown === number && ids.length === places.length && places.every((matrix, i) => sameNumbers(had.places[i], matrix));
+    if (!stays) had.changed = performance.now();
     while (ids.length > places.length) this.#masks.remove(ids.pop());
     had.alphas.length = Math.min(had.alphas.length, ids.length);
     for (const [i, matrix] of places.entries()) {
@@ -236,20 +273,10 @@ export class Casters {
 
   /** Sets the planes of all instances, if they have changed. */
   #clip(mesh, had) {
-    const { material } = mesh;
-    const clippings = Array.isArray(material) ? this.#clippingsOfAll(mesh) : this.#clippings.of(material);
+    const clippings = this.#clippings.of(mesh.material);
     if (had.clippings === clippings) return;
     had.clippings = clippings;
     for (const id of had.ids) this.#clipOne(id, clippings);
-  }
-
-  #clippingsOfAll(mesh) {
-    const [first, ...others] = materialsOf(mesh).filter(isShown).map((material) => this.#clippings.of(material));
-    if (!this.#told.has(mesh) && others.some((other) => JSON.stringify(other) !== JSON.stringify(first))) {
-      this.#told.add(mesh);
-      console.warn(`The shadows of mesh '${mesh.name}' are clipped as its first material: its materials have different clipping planes.`);
-    }
-    return first;
   }
 
   #clipOne(id, clippings) {

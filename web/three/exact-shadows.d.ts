@@ -1,6 +1,6 @@
 /** Exact shadows in three.js. */
 
-import type { Camera, Light, Object3D, WebGLRenderer } from 'three';
+import type { Camera, Color, CubeCamera, Light, Material, Object3D, WebGLRenderer, WebGLRenderTarget } from 'three';
 import type { MaskCost } from '../masks/shadow-masks.js';
 
 export interface ExactShadowsOptions {
@@ -36,12 +36,13 @@ export interface LightShadow {
 /**
  * Exact shadows for directional, point and spot lights with castShadow: cast by meshes with
  * castShadow, and received by meshes with receiveShadow of standard, physical, Lambert, Phong, toon
- * and shadow materials. Meshes may be instanced, skinned and morphed. Pictures have no shadows
- * until the edges of all meshes are found. A light that has rested for half a second is looked up
- * once a worker has built its map of the casters that rest. Those that have moved within half a
- * second are counted on top, until they have rested for five seconds and another map holds them. A
- * caster in the map that starts to move ends it: the light has a mask until a map without that
- * caster is ready.
+ * and shadow materials, and of your own with lights. Meshes may be instanced, batched, skinned and
+ * morphed, and have several materials. Wireframes and displaced surfaces cast nothing, and one
+ * warning in the console names each. Pictures have no shadows until the edges of all meshes are
+ * found. A light that has rested for half a second is looked up once a worker has built its map of
+ * the casters that rest. Those that have moved within half a second are counted on top, until they
+ * have rested for five seconds and another map holds them. A caster in the map that starts to move
+ * ends it: the light has a mask until a map without that caster is ready.
  *
  * An alpha-tested surface (alphaTest, with the alpha of map or the green of alphaMap; with both,
  * alphaMap's) receives shadow where it is solid, and surfaces seen through its holes have their
@@ -72,11 +73,19 @@ export class ExactShadows {
    */
   setRadius(light: Light, radius: number): this;
 
-  /** Use it in place of renderer.render(); draws into the current render target and viewport. */
-  render(scene: Object3D, camera: Camera): void;
-  /** Draws only the masks, for your own render(); returns whether there are any. */
-  beginMasks(scene: Object3D, camera: Camera): boolean;
-  /** Call it after that: three.js then draws without masks. */
+  /**
+   * Use it in place of renderer.render(); draws into the current render target and viewport. Other
+   * cameras that draw the scene meanwhile, such as a Reflector's, have shadows of their own. A
+   * CubeCamera is updated.
+   */
+  render(scene: Object3D, camera: Camera | CubeCamera): void;
+  /**
+   * Draws only the masks, for your own render(); returns whether there are any. Until endMasks()
+   * every camera that draws the scene has shadows of its own. `target`: that
+   * render's target, whose viewport the masks have the size of. Default: the current one.
+   */
+  beginMasks(scene: Object3D, camera: Camera, target?: WebGLRenderTarget | null): boolean;
+  /** Call it after that: three.js then draws without shadows. */
   endMasks(): void;
 
   /** Resolves once everything in the last render() has its shadows. Throws any error. */
@@ -92,5 +101,28 @@ export class ExactShadows {
   readonly notLookedUp: Map<Light, string>;
 
   /** Frees everything; restores the materials. */
+  dispose(): void;
+}
+
+/** A pass for EffectComposer in place of RenderPass: draws the scene with its shadows. */
+export class ExactShadowsPass {
+  constructor(shadows: ExactShadows, scene: Object3D, camera: Camera, overrideMaterial?: Material | null,
+    clearColor?: Color | string | number | null, clearAlpha?: number | null);
+
+  shadows: ExactShadows;
+  scene: Object3D;
+  camera: Camera;
+  overrideMaterial: Material | null;
+  clearColor: Color | string | number | null;
+  clearAlpha: number | null;
+  readonly isPass: true;
+  readonly isRenderPass: true;
+  enabled: boolean;
+  needsSwap: boolean;
+  clear: boolean;
+  clearDepth: boolean;
+  renderToScreen: boolean;
+  setSize(width: number, height: number): void;
+  render(renderer: WebGLRenderer, writeBuffer: WebGLRenderTarget, readBuffer: WebGLRenderTarget): void;
   dispose(): void;
 }

@@ -7,9 +7,12 @@ import { Casters } from './casters.js';
 import { Clippings } from './clippings.js';
 import { mostSlots, slotName } from './lit.glsl.js';
 import { MaskTextures } from './mask-textures.js';
+import { MaskViews } from './mask-views.js';
 import { MaterialPatches } from './material-patch.js';
-import { RestingLights } from './resting-lights.js';
+import { needsMask, RestingLights } from './resting-lights.js';
 import { castingLights } from './scene-lights.js';
+
+export { ExactShadowsPass } from './exact-shadows-pass.js';
 
 /** Index of the first map in MaskTextures, after nearness and masks. */
 const firstMap = 1 + mostLights / 4;
@@ -18,9 +21,6 @@ const firstMap = 1 + mostLights / 4;
 const slotUniforms = (slot) => Object.fromEntries(Object.entries({
   table: null, tableSize: new Vector3(), begins: new Vector2(), size: 1, kind: 0, mapFromHost: new Matrix4(),
 }).map(([name, value]) => [`${slotName(slot)}_${name}`, { value }]));
-
-/** Whether a mask is drawn of a light: of all casters, or of those that move over its map. */
-const needsMask = (map) => !map || map.movers > 0;
 
 /** A light's number in edgeshadeWays. */
 const wayOf = (map, channel) => (!map ? channel : channel < 0 ? -1 - map.slot : mostLights * (map.slot + 1) + channel);
@@ -32,7 +32,7 @@ function visibleOf(scene, camera, roots) {
     if (object.visible === false) return;
     const takesPart = within || roots.has(object);
     if (object.layers.test(camera.layers)) {
-      if (object.isLOD && object.autoUpdate) object.update(camera);
+      if (object.isLOD && object.autoUpdate && camera.isCamera) object.update(camera);
       if (object.isLight) lights.push(object);
       else if (object.isMesh && takesPart) meshes.push(object);
     }
@@ -52,6 +52,7 @@ export class ExactShadows {
   #masks = null;
   #casters = null;
   #resting = null;
+  #views = null;
   #lookedUp = 0; // number of lights in the last picture
   #casting = []; // three.js's casting lights in it
   #mostLookedUp;
@@ -81,6 +82,7 @@ export class ExactShadows {
   };
   #forget = () => {
     this.#lost = true;
+    this.#views?.forget();
     this.#masks?.forget();
     this.#casters?.forget();
     this.#resting?.forget();
@@ -102,7 +104,7 @@ export class ExactShadows {
     this.#keepsState = keepsState;
     this.#mostLookedUp = Math.min(lookups, mostSlots);
     this.#textures = new MaskTextures(renderer);
-    this.#patches = new MaterialPatches(this.#uniforms, renderer.capabilities.maxTextures, this.#mostLookedUp);
+    this.#patches = new MaterialPatches(this.#uniforms, renderer.capabilities.maxTextures, this.#mostLookedUp, (camera) => this.#views?.show(camera));
     const canvas = renderer.domElement;
     canvas.addEventListener('webglcontextlost', this.#forget);
     canvas.addEventListener('webglcontextrestored', this.#restore);
@@ -112,6 +114,7 @@ export class ExactShadows {
         this.#masks = masks;
         this.#resetRenderer();
         this.#casters = new Casters(masks, new AlphaTests(renderer), new Clippings(renderer));
+        this.#views = new MaskViews(renderer, masks, this.#casters, (view, viewport) => this.#show(view, viewport));
         this.#resting = new RestingLights(masks, this.#mostLookedUp, () => this.#resetRenderer());
         return undefined;
       },
@@ -167,37 +170,41 @@ export class ExactShadows {
       ...(this.#resting?.methodOf(light) ?? { method: 'none', reason: 'meshes are being prepared' }) }));
   }
 
-  /** Use it in place of renderer.render(). */
+  /** Use it in place of renderer.render(), or of a CubeCamera's update(). */
   render(scene, camera) {
     const renderer = this.#renderer;
     const { shadowMap } = renderer;
     const { autoUpdate, needsUpdate } = shadowMap;
-    const drawn = this.beginMasks(scene, camera);
+    const isNested = this.#views?.isDrawing; // it has views of the frame under way
+    const drawn = !isNested && this.beginMasks(scene, camera);
     try {
       if (drawn) Object.assign(shadowMap, { autoUpdate: false, needsUpdate: false });
-      renderer.render(scene, camera);
+      if (camera.isCamera) renderer.render(scene, camera);
+      else camera.update(renderer, scene);
     } finally {
-      this.endMasks();
+      if (!isNested) this.endMasks();
       if (drawn) Object.assign(shadowMap, { autoUpdate, needsUpdate });
     }
   }
 
   /** Draws only the masks, for the host's own render() right after it, which ends with
-   * endMasks(). Returns whether there are any. */
-  beginMasks(scene, camera) {
+   * endMasks(). `target`: that render's. Returns whether there are any. */
+  beginMasks(scene, camera, target = this.#renderer.getRenderTarget()) {
     this.#last = { scene, camera };
-    return this.#draw(scene, camera);
+    return this.#draw(scene, camera, target);
   }
 
   /** From here on three.js draws without masks. */
   endMasks() {
-    this.#uniforms.edgeshadeViewport.value.set(0, 0, 0, 0);
+    this.#views?.end();
   }
 
   /** Frees everything; restores the materials. */
   dispose() {
     this.#disposed = true;
     this.#last = null;
+    this.#views?.dispose();
+    this.#views = null;
     this.#patches.clear();
     this.#textures.clear();
     const canvas = this.#renderer.domElement;
@@ -211,38 +218,45 @@ export class ExactShadows {
   }
 
   /**
-   * Draws the masks of lights that aren't looked up, for the next render; returns false if there
-   * are no shadows.
+   * Begins a frame, with the masks of the camera's lights that aren't looked up; returns false if
+   * there are no shadows.
    */
-  #draw(scene, camera) {
+  #draw(scene, camera, target) {
     if (this.#disposed) throw new Error('These ExactShadows were disposed of.');
-    if (this.#lost || camera.isArrayCamera || this.#renderer.xr.isPresenting) return false;
-    const lights = this.#follow({ scene, camera });
+    this.#views?.end();
+    if (this.#lost) return false;
+    const { lights, meshes } = this.#follow({ scene, camera });
     if (!this.#masks) return false;
-    const casting = castingLights(lights, (light) => this.#radii.get(light) ?? 0);
+    const casting = this.#castingOf(lights);
     this.#casting = casting.sources;
     this.#complete ||= this.#casters.pending === 0;
     if (casting.lights.length === 0 || !this.#complete) return false;
-    this.#renderer.getCurrentViewport(this.#viewport);
-    const { x, y, z: width, w: height } = this.#viewport;
-    if (width < 1 || height < 1) return false;
+    const { xr } = this.#renderer;
+    const viewport = this.#viewportOf(target);
+    if (viewport.z < 1 || viewport.w < 1) return false;
     const maps = this.#mapsOf(casting);
-    this.#showMaps(camera, maps);
-    const masked = casting.lights.filter((_, i) => needsMask(maps[i]));
-    this.#uniforms.edgeshadeIntensities.value.set(casting.intensities);
-    this.#uniforms.edgeshadeMasked.value = Math.min(masked.length, 1);
-    this.#uniforms.edgeshadeMasks.value = Array.from({ length: Math.ceil(maps.length / 4) }, () => null);
-    this.#uniforms.edgeshadeNearness.value = null;
-    if (masked.length > 0) {
-      this.#showMasks(camera, this.#masks.draw({
-        viewFromWorld: camera.matrixWorldInverse.elements,
-        clipFromView: camera.projectionMatrix.elements,
-        width, height, lightSamples: this.lightSamples,
-      }, masked, maps.filter(needsMask).map((map) => map?.id)), width, height);
-      this.#resetRenderer();
-    }
-    this.#uniforms.edgeshadeViewport.value.set(x, y, 1 / width, 1 / height);
+    this.#showTables(maps);
+    const visible = (other) => {
+      const found = visibleOf(scene, other, this.#rootsOf(scene));
+      return { casting: this.#castingOf(found.lights), meshes: new Set(found.meshes) };
+    };
+    // three.js replaces the camera of headsets, and draws several of an ArrayCamera or CubeCamera.
+    const later = !camera.isCamera || (xr.enabled && xr.isPresenting) || (camera.isArrayCamera && scene.isScene);
+    this.#views.begin({ scene, camera, casting, meshes: new Set(meshes), visible, lightSamples: this.lightSamples,
+      mapOf: new Map(casting.sources.map((light, i) => [light, maps[i]])), reset: () => this.#resetRenderer(),
+    }, later ? null : viewport);
     return true;
+  }
+
+  #castingOf(lights) {
+    return castingLights(lights, (light) => this.#radii.get(light) ?? 0);
+  }
+
+  #viewportOf(target) {
+    const renderer = this.#renderer, viewport = this.#viewport;
+    if (target === renderer.getRenderTarget()) return renderer.getCurrentViewport(viewport);
+    if (target) return viewport.copy(target.viewport);
+    return renderer.getViewport(viewport).multiplyScalar(renderer.getPixelRatio()).floor();
   }
 
   /** Makes three.js set its state again, unless all state is kept. */
@@ -250,25 +264,33 @@ export class ExactShadows {
     if (this.#keepsState) return;
     const renderer = this.#renderer;
     const target = [renderer.getRenderTarget(), renderer.getActiveCubeFace(), renderer.getActiveMipmapLevel()];
-    renderer.resetState(); // this forgets the target, too
+    const { depth } = renderer.state.buffers, isReversed = depth.getReversed?.();
+    renderer.resetState(); // this forgets the target and reversed depths, too
+    if (isReversed) {
+      depth.setReversed(true);
+      depth.setClear(1);
+    }
     renderer.setRenderTarget(...target);
   }
 
-  /** Follows the scene's current state. Returns the lights that the camera sees. */
+  #rootsOf(scene) {
+    return ancestorTakesPart(scene, this.#roots) ? new Set([scene]) : this.#roots;
+  }
+
+  /** Follows the scene's current state. Returns the lights and meshes that the camera sees. */
   #follow({ scene, camera }) {
     if (scene.matrixWorldAutoUpdate !== false) scene.updateMatrixWorld();
     if (camera.parent === null && camera.matrixWorldAutoUpdate !== false) camera.updateMatrixWorld();
-    const within = ancestorTakesPart(scene, this.#roots);
-    const { lights, meshes } = visibleOf(scene, camera, within ? new Set([scene]) : this.#roots);
+    const { lights, meshes } = visibleOf(scene, camera, this.#rootsOf(scene));
     if (!this.#lost) this.#casters?.follow(meshes, this.alphaTestedCast);
     const receiving = new Map(); // by material: whether all meshes with it cast
     for (const mesh of meshes) {
       if (!mesh.receiveShadow) continue;
-      const casts = this.#casters?.casts(mesh) ?? false;
-      for (const material of [mesh.material].flat()) if (material) receiving.set(material, casts && (receiving.get(material) ?? true));
+      const casts = this.#casters?.casts(mesh, this.#resting.heldSince) ?? false;
+      for (const material of [mesh.material, scene.overrideMaterial].flat()) if (material) receiving.set(material, casts && (receiving.get(material) ?? true));
     }
     for (const [material, casts] of receiving) this.#patches.add(material, casts);
-    return lights;
+    return { lights, meshes };
   }
 
   /** For each light, the map that it is looked up in, or null. */
@@ -279,39 +301,48 @@ export class ExactShadows {
     return maps;
   }
 
-  #showMaps(camera, maps) {
-    const { edgeshadeWays, edgeshadeMaps } = this.#uniforms;
-    let channel = 0;
-    edgeshadeWays.value.set(maps.map((map) => wayOf(map, needsMask(map) ? channel++ : -1)));
+  #showTables(maps) {
     for (let slot = 0; slot < mostSlots; ++slot) {
       const of = (name) => this.#uniforms[`${slotName(slot)}_${name}`];
       const map = maps.find((one) => one?.slot === slot);
-      edgeshadeMaps.value[slot] = map ? 1 : 0;
+      this.#uniforms.edgeshadeMaps.value[slot] = map ? 1 : 0;
       of('table').value = map ? this.#textures.at(firstMap + slot, map.texture) : null;
       if (!map) continue;
       of('tableSize').value.fromArray(map.tableSize);
       of('begins').value.fromArray(map.begins);
       of('size').value = map.size;
       of('kind').value = map.kind;
-      // In doubles, so that worlds may be large.
-      of('mapFromHost').value.fromArray(map.mapFromWorld).multiply(camera.matrixWorld);
     }
   }
 
-  #showMasks(camera, { textures, nearness, region: [x, y, wide, high] }, width, height) {
+  /** Shows a camera's masks and lookups, or no shadows: see MaskViews. */
+  #show(view, viewport) {
+    const { edgeshadeViewport, edgeshadeIntensities, edgeshadeMasked, edgeshadeMasks, edgeshadeNearness, edgeshadeWays } = this.#uniforms;
+    if (!view) {
+      edgeshadeViewport.value.set(0, 0, 0, 0);
+      return;
+    }
+    const { camera, casting, maps, masks } = view;
+    let channel = 0;
+    edgeshadeWays.value.set(maps.map((map) => wayOf(map, !map || (masks && needsMask(map)) ? channel++ : -1)));
+    edgeshadeIntensities.value.set(casting.intensities.map((intensity, i) => (masks || maps[i] ? intensity : 0)));
+    edgeshadeMasked.value = masks ? 1 : 0;
+    edgeshadeMasks.value = Array.from({ length: Math.ceil(maps.length / 4) }, () => null);
+    edgeshadeNearness.value = null;
+    // In doubles, so that worlds may be large.
+    for (const map of maps) if (map) this.#uniforms[`${slotName(map.slot)}_mapFromHost`].value.fromArray(map.mapFromWorld).multiply(camera.matrixWorld);
+    if (masks) this.#showMasks(view);
+    edgeshadeViewport.value.set(viewport.x, viewport.y, 1 / viewport.z, 1 / viewport.w);
+  }
+
+  #showMasks({ camera, width, height, masks: { textures, nearness, region: [x, y, wide, high] } }) {
     const { edgeshadeMasks, edgeshadeNearness, edgeshadeOwn, edgeshadeRegion } = this.#uniforms;
     edgeshadeRegion.value.set(x / width, y / height, (x + wide) / width, (y + high) / height);
     edgeshadeNearness.value = this.#textures.at(0, nearness.texture);
     for (const [i, texture] of textures.entries()) edgeshadeMasks.value[i] = this.#textures.at(i + 1, texture);
     const { scale, offset } = nearness;
-    if (camera.projectionMatrix.elements[15] === 0) {
-      edgeshadeOwn.value.set(scale, 0, offset); // gl_FragCoord.w is 1 / depth
-      return;
-    }
-    // Depth is linear in gl_FragCoord.z, which is clip space's z, from 0 to 1 if depths are reversed.
-    const { 10: slope, 14: shift } = camera.projectionMatrix.elements;
-    const reversed = camera.reversedDepth === true;
-    const perZ = (reversed ? -1 : -2) / slope, atZero = (shift + (reversed ? 0 : 1)) / slope;
-    edgeshadeOwn.value.set(0, scale * perZ, scale * atZero + offset);
+    // gl_FragCoord.w is 1 / depth in perspective.
+    const perspective = camera.projectionMatrix.elements[15] === 0;
+    edgeshadeOwn.value.set(perspective ? scale : 0, perspective ? 0 : scale, offset);
   }
 }

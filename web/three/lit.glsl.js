@@ -47,7 +47,7 @@ uniform mediump sampler2D edgeshadeMasks[ ( ${all} + 3 ) / 4 ];
 uniform float edgeshadeIntensities[ ${all} ];
 uniform highp sampler2D edgeshadeNearness;
 uniform highp vec4 edgeshadeViewport; // x, y, 1 / width, 1 / height; 0: there are no shadows
-uniform highp vec3 edgeshadeOwn;      // nearness by gl_FragCoord.w, gl_FragCoord.z and as it is
+uniform highp vec3 edgeshadeOwn;      // nearness by gl_FragCoord.w, depth and as it is
 uniform highp vec4 edgeshadeRegion;    // lower left, upper right, in the viewport: elsewhere masks are 1
 uniform int edgeshadeWays[ ${all} ];   // a light's channel of the masks; or -1 - the slot of its map; or with
                                        // both the channel + 32 * (1 + the slot)
@@ -61,9 +61,9 @@ highp float edgeshadeNearnessAt( const in highp vec2 place ) {
 	return dot( floor( texture2D( edgeshadeNearness, place ).rgb * 255.0 + 0.5 ), vec3( 65536.0, 256.0, 1.0 ) ) / 16777215.0;
 }
 
-highp vec2 edgeshadeFindTexel() {
+highp vec2 edgeshadeFindTexel( const in highp float depth ) {
 	highp vec2 place = ( gl_FragCoord.xy - edgeshadeViewport.xy ) * edgeshadeViewport.zw;
-	highp float own = edgeshadeOwn.x * gl_FragCoord.w + edgeshadeOwn.y * gl_FragCoord.z + edgeshadeOwn.z;
+	highp float own = edgeshadeOwn.x * gl_FragCoord.w + edgeshadeOwn.y * depth + edgeshadeOwn.z;
 	highp vec2 change = vec2( dFdx( own ), dFdy( own ) );
 	highp float least = abs( edgeshadeNearnessAt( place ) - own );
 	if ( least <= 0.1 * ( abs( change.x ) + abs( change.y ) ) + 1e-5 * own + 2.0 / 16777215.0 ) return place;
@@ -108,7 +108,7 @@ void edgeshadeFind( const in highp vec3 position ) {
 	highp vec2 place = ( gl_FragCoord.xy - edgeshadeViewport.xy ) * edgeshadeViewport.zw;
 	bool within = all( greaterThan( place, edgeshadeRegion.xy ) ) && all( lessThan( place, edgeshadeRegion.zw ) );
 	edgeshadeTexel = vec2( - 1.0 );
-	for ( int i = 0; i < ( within ? edgeshadeMasked : 0 ); i ++ ) edgeshadeTexel = edgeshadeFindTexel();
+	for ( int i = 0; i < ( within ? edgeshadeMasked : 0 ); i ++ ) edgeshadeTexel = edgeshadeFindTexel( - position.z );
 	edgeshadeAskMaps( position );
 }
 
@@ -128,20 +128,25 @@ const litBy = (kind) => /* glsl */`
 		#endif
 `;
 
-/** The start of each light kind's part in three.js's chunk. */
-const beginnings = { point: 'getPointLightInfo(', spot: 'getSpotLightInfo(', directional: 'getDirectionalLightInfo(' };
+/** The start of each light kind's part in three.js's chunk: a call, not a definition. */
+const beginnings = { point: /getPointLightInfo\s*\(\s*\w+\s*,/, spot: /getSpotLightInfo\s*\(\s*\w+\s*,/,
+  directional: /getDirectionalLightInfo\s*\(\s*\w+\s*,/ };
 
-/** lights_fragment_begin with masks: scales each light by its mask before adding it; without
- * masks, three.js's own shadow map is sampled. */
-export function lightsWithMasks(chunk) {
-  let text = chunk;
+const declaresLight = /IncidentLight\s+directLight\s*;/;
+
+/** lights_fragment_begin with masks, or a shader that contains it: scales each light by its mask
+ * before adding it; without masks, three.js's own shadow map is sampled. Null if it isn't there. */
+export function lightsWithMasks(source) {
+  if (!declaresLight.test(source)) return null;
+  let text = source;
   for (const [kind, begins] of Object.entries(beginnings)) {
-    const begin = text.indexOf(begins);
+    const begin = text.search(begins);
     const add = text.indexOf('RE_Direct(', begin);
-    if (begin < 0 || add < 0) throw new Error(`This release of three.js lights surfaces in a way that edgeshade does not know (${kind} lights).`);
+    const unrolled = text.lastIndexOf('unroll_loop_start', begin) > text.lastIndexOf('unroll_loop_end', begin);
+    if (begin < 0 || add < 0 || !unrolled) return null;
     text = text.slice(0, add) + litBy(kind).trimStart() + '\t\t' + text.slice(add);
   }
-  return find + text.replaceAll('directLight.visible && receiveShadow', 'directLight.visible && receiveShadow && ! edgeshadeHasMasks()');
+  return text.replace(declaresLight, (found) => found + find).replaceAll('directLight.visible && receiveShadow', 'directLight.visible && receiveShadow && ! edgeshadeHasMasks()');
 }
 
 /** The value of a ShadowMaterial, in place of getShadowMask(). */

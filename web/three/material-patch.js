@@ -1,6 +1,7 @@
 // Patches materials so that they take masks instead of shadow maps.
 
 import { MathUtils, ShaderChunk } from 'three';
+import { placeFarVertices, takesOrigins } from './far-vertices.js';
 import { declarations, lightsWithMasks, shadowMask } from './lit.glsl.js';
 
 const lightsBegin = '#include <lights_fragment_begin>';
@@ -13,22 +14,27 @@ const maskDeclared = '#include <shadowmask_pars_fragment>';
 const otherTextures = 6;
 
 const isLit = (material) => Boolean(material.isMeshStandardMaterial || material.isMeshLambertMaterial ||
-  material.isMeshPhongMaterial || material.isMeshToonMaterial);
+  material.isMeshPhongMaterial || material.isMeshToonMaterial || (material.isShaderMaterial && material.lights && !material.isRawShaderMaterial));
 
 /**
- * Whether masks show a material's surfaces: behind see-through and dithered ones others are
- * visible.
+ * Whether masks show a material's surfaces: behind see-through and dithered ones and wireframes
+ * others are visible, and displaced ones are elsewhere.
  */
-const isMasked = (material) => Boolean(material.isShadowMaterial) || !(material.transparent || material.alphaHash);
+const isMasked = (material) => Boolean(material.isShadowMaterial) ||
+  !(material.transparent || material.alphaHash || material.wireframe || material.displacementMap);
 
 /** Whether casting lights light a material. */
 export const takesShadow = (material) => Boolean(material.isShadowMaterial) || isLit(material);
 
 /** Number of lights' maps for which its programs have room. */
 function slotsOf(material, mostTextures, most) {
-  const own = Object.values(material).filter((value) => value?.isTexture).length + (material.transmission > 0 ? 1 : 0);
+  const values = [...Object.values(material), ...Object.values(material.uniforms ?? {}).map((uniform) => uniform?.value)];
+  const own = values.filter((value) => value?.isTexture).length + (material.transmission > 0 ? 1 : 0);
   return Math.min(Math.max(mostTextures - own - otherTextures, 0), most);
 }
+
+const warnOf = (material) =>
+  console.warn(`Material '${material.name || material.type}' shows no shadows: its shader lights surfaces without three.js's lights_fragment_begin.`);
 
 const vertexPlaced = '#include <project_vertex>';
 
@@ -39,10 +45,20 @@ function withPosition(shader) {
   shader.fragmentShader = `${varying}\n${shader.fragmentShader}`;
 }
 
+/** A fragment shader with masks, or null if it doesn't light surfaces as three.js does. */
 function withShadows(source, material, slots) {
   const seeThrough = isMasked(material) ? '' : '#define EDGESHADE_SEE_THROUGH\n';
-  const text = source.replace(lightsDeclared, (found) => `${found}\n${seeThrough}${declarations(slots)}`);
-  if (!material.isShadowMaterial) return text.replace(lightsBegin, () => lightsWithMasks(ShaderChunk.lights_fragment_begin));
+  const declared = `${seeThrough}${declarations(slots)}`;
+  const text = source.includes(lightsDeclared) ? source.replace(lightsDeclared, (found) => `${found}\n${declared}`)
+    : source.replace(/\bvoid\s+main\s*\(/, (found) => `${declared}\n${found}`); // the chunk is inlined
+  if (!material.isShadowMaterial) {
+    if (material.isShaderMaterial && !/vViewPosition|lights_\w+_pars_fragment/.test(source)) return null;
+    if (!text.includes(lightsBegin)) return lightsWithMasks(text);
+    const lit = lightsWithMasks(ShaderChunk.lights_fragment_begin);
+    if (lit === null) throw new Error('This release of three.js lights surfaces in a way that edgeshade does not know.');
+    return text.replace(lightsBegin, () => lit);
+  }
+  if (!text.includes(maskDeclared)) return null;
   const main = text.indexOf(maskDeclared) + maskDeclared.length;
   return `${text.slice(0, main)}\n${shadowMask}${text.slice(main).replaceAll('getShadowMask()', 'edgeshadeMask()')}`;
 }
@@ -58,10 +74,13 @@ export class MaterialPatches {
   #mostTextures;
   #most;
   #slots;
+  #draws;
 
   /** `uniforms`: for declarations(), in three.js's form, shared by all materials;
-   * `mostTextures`: limit per program; `most`: lights' maps at once. */
-  constructor(uniforms, mostTextures, most) {
+   * `mostTextures`: limit per program; `most`: lights' maps at once; `draws(camera)` is called
+   * before three.js draws a material. */
+  constructor(uniforms, mostTextures, most, draws) {
+    this.#draws = draws;
     this.#uniforms = uniforms;
     this.#mostTextures = mostTextures;
     this.#most = this.#slots = most;
@@ -77,23 +96,42 @@ export class MaterialPatches {
    */
   add(material, casts) {
     const known = this.#patched.get(material);
-    if (known) known.casts.value = casts;
+    if (known) {
+      known.casts.value = casts;
+      if (known.masked !== isMasked(material)) material.needsUpdate = true;
+      known.masked = isMasked(material);
+    }
     if (known || !takesShadow(material)) return;
     const slots = slotsOf(material, this.#mostTextures, this.#most);
     this.#slots = Math.min(this.#slots, slots);
-    const { onBeforeCompile, customProgramCacheKey } = material;
+    const { onBeforeCompile, customProgramCacheKey, onBeforeRender } = material;
     const own = Object.hasOwn(material, 'customProgramCacheKey');
     const uniforms = { ...this.#uniforms, edgeshadeCasts: { value: casts } };
-    this.#patched.set(material, { onBeforeCompile, customProgramCacheKey, own, casts: uniforms.edgeshadeCasts });
+    this.#patched.set(material, { onBeforeCompile, customProgramCacheKey, onBeforeRender, own, ownRender: Object.hasOwn(material, 'onBeforeRender'), casts: uniforms.edgeshadeCasts, masked: isMasked(material) });
     const reference = new WeakRef(material);
     this.#alive.add(reference);
     this.#gone.register(material, reference);
     const key = `${this.#key} ${slots}`;
+    const draws = this.#draws;
+    let takes = false;
+    material.onBeforeRender = function (renderer, scene, camera, geometry, object, ...given) {
+      onBeforeRender.call(this, renderer, scene, camera, geometry, object, ...given);
+      draws(camera);
+      if (takes) placeFarVertices(object);
+    };
     material.onBeforeCompile = function (shader, renderer) {
       onBeforeCompile.call(this, shader, renderer);
+      const changed = withShadows(shader.fragmentShader, this, slots);
+      if (changed === null) {
+        warnOf(this);
+        return;
+      }
       Object.assign(shader.uniforms, uniforms);
-      shader.fragmentShader = withShadows(shader.fragmentShader, this, slots);
+      shader.fragmentShader = changed;
       if (this.isShadowMaterial) withPosition(shader);
+      const placed = takesOrigins(shader.vertexShader);
+      takes = placed !== shader.vertexShader;
+      shader.vertexShader = placed;
     };
     // three.js's own key is the text of onBeforeCompile, which is now the patch's.
     const before = own ? null : onBeforeCompile.toString();
@@ -108,10 +146,12 @@ export class MaterialPatches {
     for (const reference of this.#alive) {
       const material = reference.deref();
       if (!material) continue;
-      const { onBeforeCompile, customProgramCacheKey, own } = this.#patched.get(material);
+      const { onBeforeCompile, customProgramCacheKey, onBeforeRender, own, ownRender } = this.#patched.get(material);
       material.onBeforeCompile = onBeforeCompile;
       if (own) material.customProgramCacheKey = customProgramCacheKey;
       else delete material.customProgramCacheKey;
+      if (ownRender) material.onBeforeRender = onBeforeRender;
+      else delete material.onBeforeRender;
       material.needsUpdate = true;
     }
     this.#patched = new WeakMap();

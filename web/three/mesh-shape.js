@@ -57,14 +57,29 @@ export function texcoordsOf({ geometry }, name) {
   return texcoords;
 }
 
-/** {positions, indices} of the drawn part of a mesh, in its own space. */
+/** Numbers of vertices, three per triangle, in a range of indices or vertices. */
+function indicesOf({ index, attributes: { position } }, { start, count }) {
+  const all = index ? index.count : position.count;
+  const begin = Math.min(Math.max(start, 0), all);
+  const whole = 3 * Math.floor((Math.min(start + count, all) - begin) / 3);
+  const numbers = new Uint32Array(Math.max(whole, 0));
+  for (let i = 0; i < numbers.length; ++i) numbers[i] = index ? index.getX(begin + i) : begin + i;
+  return numbers;
+}
+
+/**
+ * {positions, indices, first} of the drawn part of a mesh, in its own space. `first`: number of the
+ * first vertex among the mesh's; others than 0 for parts (see MeshParts).
+ */
 export function shapeOf(mesh) {
   const { geometry } = mesh;
-  const { index, attributes: { position }, drawRange } = geometry;
-  const count = index ? index.count : position.count;
-  const begin = Math.min(Math.max(drawRange.start, 0), count);
-  const whole = 3 * Math.floor((Math.min(drawRange.start + drawRange.count, count) - begin) / 3);
-  const indices = new Uint32Array(Math.max(whole, 0));
-  for (let i = 0; i < indices.length; ++i) indices[i] = index ? index.getX(begin + i) : begin + i;
-  return { positions: positionsOf(mesh), indices };
+  const { ranges } = geometry;
+  if (!ranges) return { positions: positionsOf(mesh), indices: indicesOf(geometry, geometry.drawRange), first: 0 };
+  const numbers = ranges.flatMap((range) => [...indicesOf(geometry, range)]);
+  let first = Infinity, last = -1;
+  for (const n of numbers) {
+    first = Math.min(first, n);
+    last = Math.max(last, n);
+  }
+  return { positions: positionsOf(mesh).subarray(3 * first, 3 * last + 3), indices: Uint32Array.from(numbers, (n) => n - first), first };
 }

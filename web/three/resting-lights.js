@@ -21,6 +21,9 @@ const keyOf = ({ kind, position, direction, radius }) => `${radius > 0} ${kind =
  */
 const entryOf = (key, since) => ({ key, since, restMs, current: null, next: null, abort: null, problem: '' });
 
+/** Whether a mask is drawn of a light: of all casters, or of those that move over its map. */
+export const needsMask = (map) => !map || map.movers > 0;
+
 export class RestingLights {
   #masks;
   #most;
@@ -116,10 +119,11 @@ export class RestingLights {
   async #begin(light, numbers, entry) {
     const abort = new AbortController();
     entry.abort = abort;
+    const since = performance.now() - entry.restMs;
     try {
       const id = await this.#masks.buildLookup(numbers, { signal: abort.signal, restMs: entry.restMs });
       if (id === null) return;
-      if (this.#entries.get(light) === entry && !abort.signal.aborted) entry.next = { id };
+      if (this.#entries.get(light) === entry && !abort.signal.aborted) entry.next = { id, since };
       else this.#masks.removeLookup(id);
       this.#touched();
     } catch (error) {
@@ -160,6 +164,11 @@ export class RestingLights {
     entry.abort?.abort();
     this.#remove(entry, 'current');
     this.#remove(entry, 'next');
+  }
+
+  /** The time, as of performance.now(), since which casters have to rest to be in all maps. */
+  get heldSince() {
+    return Math.min(...[...this.#entries.values()].map(({ current }) => current?.since ?? Infinity));
   }
 
   /** How a light is shadowed, and why: {method, reason}; null: unknown. */

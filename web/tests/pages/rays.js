@@ -2,6 +2,14 @@
 
 import * as three from 'three';
 
+const materialOf = ({ object: { material }, face }) => (Array.isArray(material) ? material[face.materialIndex] : material);
+
+/** Whether masks show the surface that a ray has hit, and it may cast. */
+const isSolid = (hit) => {
+  const { transparent, wireframe } = materialOf(hit);
+  return !transparent && !wireframe;
+};
+
 const isBeyond = (point) => (plane) => plane.distanceToPoint(point) < 0;
 
 /** Whether a material's own planes clip a point. */
@@ -27,14 +35,16 @@ function rayPicture(renderer, scene, camera, light) {
       ray.setFromCamera(aim.set(2 * (x + 0.5) / width - 1, 1 - 2 * (y + 0.5) / height), camera);
       ray.near = 0;
       ray.far = Infinity;
+      ray.layers.mask = camera.layers.mask;
       const eye = ray.ray.direction.clone();
-      const hit = ray.intersectObjects(meshes, false).find(({ point, object: { material } }) =>
-        !renderer.clippingPlanes.some(isBeyond(point)) && !clipsLocally(renderer, material, point));
+      const hit = ray.intersectObjects(meshes, false).filter(isSolid).find((one) =>
+        !renderer.clippingPlanes.some(isBeyond(one.point)) && !clipsLocally(renderer, materialOf(one), one.point));
       if (!hit) continue;
       normal.copy(hit.face.normal);
-      if (hit.instanceId !== undefined) {
+      const number = hit.instanceId ?? hit.batchId;
+      if (number !== undefined) {
         const place = new three.Matrix4();
-        hit.object.getMatrixAt(hit.instanceId, place);
+        hit.object.getMatrixAt(number, place);
         normal.transformDirection(place);
       }
       normal.transformDirection(hit.object.matrixWorld);
@@ -46,10 +56,11 @@ function rayPicture(renderer, scene, camera, light) {
       towards.normalize();
       const faces = normal.dot(towards) > 0;
       ray.set(hit.point, towards);
-      const lit = faces && !ray.intersectObjects(meshes, false).some(({ point, object: { material } }) =>
-        !(material.clipShadows && clipsLocally(renderer, material, point)));
+      ray.layers.enableAll();
+      const lit = faces && !ray.intersectObjects(meshes, false).filter(isSolid).some((one) =>
+        !(materialOf(one).clipShadows && clipsLocally(renderer, materialOf(one), one.point)));
       const side = Math.round(normal.x) + 3 * Math.round(normal.y) + 9 * Math.round(normal.z) + 13;
-      found[y * width + x] = (lit ? 2 : 1) + 4 * (1 + meshes.indexOf(hit.object)) + 256 * side + 8192 * (hit.instanceId ?? 0);
+      found[y * width + x] = (lit ? 2 : 1) + 4 * (1 + meshes.indexOf(hit.object)) + 256 * side + 8192 * (number ?? 0);
     }
   return { found, width, height };
 }

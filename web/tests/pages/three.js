@@ -4,13 +4,14 @@ import * as three from 'three';
 import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
 import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
-import { ExactShadows } from 'edgeshade/three';
+import { ExactShadows, ExactShadowsPass } from 'edgeshade/three';
 import { glbAsPosed, walkingFigure } from './figure.js';
 import { comparedWithRays } from './rays.js';
+import * as views from './views.js';
 
 /** A renderer with its own canvas in the page. */
-function rendererOf({ width = 480, height = 270, antialias = false, pixelRatio = 1, clear = 0x000000 } = {}) {
-  const renderer = new three.WebGLRenderer({ antialias, preserveDrawingBuffer: true });
+function rendererOf({ width = 480, height = 270, antialias = false, pixelRatio = 1, clear = 0x000000, ...others } = {}) {
+  const renderer = new three.WebGLRenderer({ antialias, preserveDrawingBuffer: true, ...others });
   renderer.setPixelRatio(pixelRatio);
   renderer.setSize(width, height);
   renderer.setClearColor(clear, 1);
@@ -236,4 +237,4 @@ function rendererName() {
   return gl?.getParameter(gl.getExtension('WEBGL_debug_renderer_info')?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER) ?? '';
 }
 
-window.page = { rendererName, hash, redAt, stateOf, attributesOf, three, ExactShadows, rendererOf, loaded, whiten, cameraOf, lampOf, drawn, rested, frame, redOf, base64Of, yard, pattern, fence, changedPicture, comparedWithRays, glbAsPosed, walkingFigure };
+window.page = { ...views, ExactShadowsPass, rendererName, hash, redAt, stateOf, attributesOf, three, ExactShadows, rendererOf, loaded, whiten, cameraOf, lampOf, drawn, rested, frame, redOf, base64Of, yard, pattern, fence, changedPicture, comparedWithRays, glbAsPosed, walkingFigure };
