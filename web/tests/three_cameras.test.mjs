@@ -53,7 +53,7 @@ for (const release of ['three-0.152', 'three'])
         const { RenderPass } = await import('three/addons/postprocessing/RenderPass.js');
         const [own] = composer.passes;
         composer.passes[0] = new RenderPass(scene, camera);
-        shadows.beginMasks(scene, camera, shown);
+        shadows.beginMasks(scene, camera, ...(ratio > 1 ? [shown] : [])); // otherwise drawn again when it begins
         composer.render();
         shadows.endMasks();
         const again = composer.passes[1].uniforms.tDiffuse.value === composer.readBuffer.texture ? composer.readBuffer : composer.writeBuffer;

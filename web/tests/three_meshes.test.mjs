@@ -135,6 +135,37 @@ for (const looked of [false, true])
     if (looked) assert.match(warnings[2], /^Mesh 'lifted' casts no shadow, .*displacementMap/);
   });
 
+test('vertices of the GPU alone, instances with morph targets, far instances: a warning each', async () => {
+  const { told, warnings } = await inCourt(async ({ scene, renderer, material, draw, judge }, { three }) => {
+    const gl = renderer.getContext(), buffer = gl.createBuffer();
+    gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+    gl.bufferData(gl.ARRAY_BUFFER, new Float32Array([0, 1, 0, 1, 1, 0, 0, 2, 0]), gl.STATIC_DRAW);
+    renderer.resetState();
+    const odd = (name, mesh) => scene.add(Object.assign(mesh, { name, castShadow: true, frustumCulled: false }));
+    const own = new three.BufferGeometry();
+    own.setAttribute('position', new three.GLBufferAttribute(buffer, gl.FLOAT, 3, 4, 3));
+    own.boundingSphere = new three.Sphere(new three.Vector3(), 3); // three.js asks for it
+    odd('own buffer', new three.Mesh(own, material));
+    const morphed = new three.BoxGeometry(1, 1, 1);
+    morphed.morphAttributes.position = [morphed.attributes.position.clone()];
+    const crowd = odd('crowd', new three.InstancedMesh(morphed, material, 2)).children.at(-1);
+    for (const i of [0, 1]) {
+      crowd.setMatrixAt(i, new three.Matrix4().makeTranslation(i, 2, 0));
+      crowd.setMorphAt(i, new three.Mesh(morphed));
+    }
+    const far = odd('far', new three.InstancedMesh(new three.BoxGeometry(1, 1, 1).translate(1e6, 0, 0), material, 1)).children.at(-1);
+    far.setMatrixAt(0, new three.Matrix4().makeTranslation(-1e6, 2, 0));
+    for (let i = 0; i < 2; ++i) await draw();
+    for (const name of ['own buffer', 'crowd', 'far']) scene.getObjectByName(name).visible = false;
+    await judge('without them');
+  });
+  assertRight(told);
+  assert.equal(warnings.length, 3, `${warnings}`);
+  assert.match(warnings[0], /^Mesh 'own buffer' casts no shadow, .*GPU alone\.$/);
+  assert.match(warnings[1], /^Mesh 'crowd' casts no shadow, .*morph targets/);
+  assert.match(warnings[2], /^Mesh 'far' has imprecise shadows: /);
+});
+
 for (const release of ['three-0.152', 'three'])
   test(`shaders that inline chunks, and shaders of one's own, in ${release}`, async () => {
     const { told, warnings } = await inCourt(async ({ scene, ground, chest, wall, columns, judge, draw }, { three }) => {

@@ -3,7 +3,7 @@
 import { BackSide, DoubleSide, Matrix4 } from 'three';
 import { isAlphaTested, sameAlpha, texcoordsNameOf } from './alpha-tests.js';
 import { unclipped } from './clippings.js';
-import { nearOrigin } from './far-vertices.js';
+import { canPlaceFar, nearOrigin } from './far-vertices.js';
 import { MeshParts, whyNotInMasks } from './mesh-parts.js';
 import { isPosed, poseOf, sameNumbers, shapeOf, texcoordsOf, versionsOf } from './mesh-shape.js';
 
@@ -113,8 +113,7 @@ export class Casters {
         const role = roleOf(part, alphaTestedCast);
         if (!role || this.#isLeftOut(part, role, mesh)) continue;
         seen.add(part);
-        this.#followOne(part, role);
-        this.#meshes.get(part).whole = mesh;
+        this.#followOne(part, role, mesh);
       }
     }
     for (const mesh of [...this.#meshes.keys()]) if (!seen.has(mesh)) this.#drop(mesh);
@@ -124,11 +123,14 @@ export class Casters {
   /** Whether masks can't show a mesh; warns once of what it lacks. */
   #isLeftOut(part, { casts }, mesh) {
     const why = whyNotInMasks(part);
-    if (why && !this.#told.has(mesh)) {
-      this.#told.add(mesh);
-      console.warn(`Mesh '${mesh.name}' ${casts ? 'casts no shadow, and ' : ''}receives only shadows of lights that are looked up: ${why}.`);
-    }
+    if (why) this.#warn(mesh, `${casts ? 'casts no shadow, and ' : ''}receives only shadows of lights that are looked up: ${why}`);
     return why !== '';
+  }
+
+  #warn(mesh, what) {
+    if (this.#told.has(mesh)) return;
+    this.#told.add(mesh);
+    console.warn(`Mesh '${mesh.name}' ${what}.`);
   }
 
   /** Uploads a large mesh in one frame, and adds it in the next. */
@@ -167,14 +169,17 @@ export class Casters {
     for (const mesh of [...this.#meshes.keys()]) this.#drop(mesh);
   }
 
-  #followOne(mesh, role) {
+  /** `whole`: the mesh that a part stands for. */
+  #followOne(mesh, role, whole) {
     let had = this.#meshes.get(mesh);
     if (!had) this.#meshes.set(mesh, had = { key: null, ids: [], places: [], alphas: [], shown: null, clippings: unclipped });
-    had.casts = role.casts;
+    Object.assign(had, { casts: role.casts, whole });
     if (isPosed(mesh)) this.#pose(mesh, role, had);
     else this.#followShape(mesh, role, had);
     const { number: found = null, ahead, origin } = this.#prepared.get(had.key) ?? {};
     if (found === null || ahead) return;
+    const isFar = origin.some((number) => number !== 0);
+    if (isFar && !canPlaceFar(mesh)) this.#warn(had.whole, "has imprecise shadows: its instances or bones move vertices that are far from its origin");
     this.#clip(mesh, had);
     this.#place(mesh, found, origin, had);
     if (role.tested) this.#setAlpha(role.tested, had);

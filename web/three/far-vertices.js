@@ -39,10 +39,13 @@ export function nearOrigin(positions) {
   return { positions: positions.map((value, i) => value - numbers[i % 3]), origin: numbers };
 }
 
+/** Whether one origin suits all vertices of a mesh: neither instances nor bones move them. */
+export const canPlaceFar = ({ isInstancedMesh, isBatchedMesh, isSkinnedMesh }) => !(isInstancedMesh || isBatchedMesh || isSkinnedMesh);
+
 /** Gives a mesh's matrix an origin, in doubles, if all of its vertices are far from their own. */
-export function placeFarVertices({ geometry, modelViewMatrix, isInstancedMesh, isBatchedMesh, isSkinnedMesh }) {
-  const { boundingSphere: sphere } = geometry;
-  if (!sphere || isInstancedMesh || isBatchedMesh || isSkinnedMesh || !isFar(sphere.center, sphere.radius)) return;
+export function placeFarVertices(mesh) {
+  const { geometry: { boundingSphere: sphere }, modelViewMatrix } = mesh;
+  if (!sphere || !canPlaceFar(mesh) || !isFar(sphere.center, sphere.radius)) return;
   const { x, y, z } = sphere.center, { elements } = modelViewMatrix;
   origin.set(Math.fround(x), Math.fround(y), Math.fround(z));
   place.copy(origin).applyMatrix4(modelViewMatrix);

@@ -113,7 +113,7 @@ export class MaterialPatches {
     this.#gone.register(material, reference);
     const key = `${this.#key} ${slots}`;
     const draws = this.#draws;
-    let takes = false;
+    let takes = true; // known once its shader is made, which is after the first call
     material.onBeforeRender = function (renderer, scene, camera, geometry, object, ...given) {
       onBeforeRender.call(this, renderer, scene, camera, geometry, object, ...given);
       draws(camera);
