@@ -5,7 +5,8 @@
 //                              six tiles; neither: one of one tile
 //   PRIMITIVE_MAP_ANY_LIGHT    neither of these: a uniform says which
 //   PRIMITIVE_MAP_LONGEST      entries of the longest list, or more
-//   PRIMITIVE_MAP_CUTOUTS      where some triangles are alpha-tested; there is a fourth texture then
+//   PRIMITIVE_MAP_CUTOUTS      where some triangles are alpha-tested; their textures are in a fourth
+//                              one then, or in the one table
 //   PRIMITIVE_MAP_ONE_TABLE    where the map is one texture (primitive_map_table.glsl) instead of
 //                              three (primitive_map_tables.glsl)
 #undef PRIMITIVE_DIRECTIONAL
@@ -61,8 +62,10 @@ bool primitiveMeets(highp float record, highp vec3 ray, highp vec3 point) {
 }
 
 #ifdef PRIMITIVE_MAP_CUTOUTS
+#ifndef PRIMITIVE_MAP_ONE_TABLE
 uniform mediump sampler2D u_primitiveAlpha; // all cutouts' textures, sampled texel by texel
 uniform highp vec2 u_primitiveAlphaTexel;   // 1 / its size
+#endif
 
 // The texel of a row that a place beyond it wraps to; `wrap`: CutoutWrap.
 highp float wrappedTexel(highp float place, highp float size, highp float wrap) {
@@ -76,7 +79,20 @@ highp float wrappedTexel(highp float place, highp float size, highp float wrap) 
 highp float cutoutTexel(highp vec2 place, highp vec4 rectangle, highp vec4 how) {
     highp vec2 texel = vec2(wrappedTexel(place.x, rectangle.z, how.y),
                             wrappedTexel(place.y, rectangle.w, how.z));
+#ifdef PRIMITIVE_MAP_ONE_TABLE
+    // Eight to a texel, twelve bits each: PackedAlpha in src/shadow/primitive_map.
+    highp float index = texel.y * rectangle.z + texel.x;
+    highp float within = floor(index * 0.125);
+    highp vec4 eight = primitiveRecord(rectangle.x + within);
+    within = index - 8.0 * within;
+    highp vec2 pairs = within < 4.0 ? eight.xy : eight.zw;
+    within = within < 4.0 ? within : within - 4.0;
+    highp float two = within < 2.0 ? pairs.x : pairs.y;
+    highp float second = floor(two / 4096.0);
+    return (within == 1.0 || within == 3.0 ? second : two - 4096.0 * second) / 4080.0;
+#else
     return texture2D(u_primitiveAlpha, (vec2(rectangle.x, rectangle.y) + texel + vec2(0.5)) * u_primitiveAlphaTexel).x;
+#endif
 }
 
 highp float cutoutAlpha(highp vec2 uv, highp vec4 rectangle, highp vec4 how) {

@@ -25,6 +25,9 @@ struct LookupSettings {
     /// This is an upper limit: with few casters the map has fewer.
     int size = 512;
     std::size_t mostBytes = std::size_t{64} << 20; ///< smaller maps are tried before giving up
+    /// Meshes whose MaskAlpha says so cast what their alpha leaves; otherwise whole triangles, if
+    /// they cast at all. The shader then needs lookupSource() with cutouts.
+    bool cutouts = false;
 };
 
 /// The map of one light while it is built. Needs no GL. Copies share the same work. It may be
@@ -86,7 +89,8 @@ std::array<float, 16> mapFromView(const LightLookup& lookup, const Matrix16& vie
 /// 16.0 is enough for most.
 ///
 /// `prefix`: letters, digits and single underscores; with a prefix for each, one shader may query
-/// several lights. Throws std::runtime_error.
-std::string lookupSource(const std::string& prefix);
+/// several lights. `cutouts`: also for maps with LookupSettings::cutouts. Throws
+/// std::runtime_error.
+std::string lookupSource(const std::string& prefix, bool cutouts = false);
 
 } // namespace edgeshade

@@ -9,6 +9,7 @@
 #include <memory>
 #include <span>
 #include <utility>
+#include <vector>
 
 namespace edgeshade {
 
@@ -22,10 +23,11 @@ namespace edgeshade {
 ///    gl_FragCoord.xy / size.
 ///
 /// ShadowMasks draws its own depth. Alpha-tested surfaces (MaskMesh::alphaTested) receive shadow
-/// where they are opaque, and surfaces seen through their holes have their own shadow. They cast
-/// whole triangles, or nothing. Leave out see-through surfaces: masks have one surface a pixel. All
-/// calls need the context, and create textures and buffers in it. All throw std::runtime_error with
-/// a full sentence, and have then changed nothing.
+/// where they are opaque, and surfaces seen through their holes have their own shadow. In masks
+/// they cast whole triangles, or nothing; in lookups also what their alpha leaves. Leave out
+/// see-through surfaces: masks have one surface a pixel. All calls need the context, and create
+/// textures and buffers in it. All throw std::runtime_error with a full sentence, and have then
+/// changed nothing.
 
 /// Triangles that move together. The spans are not kept after the call.
 struct MaskMesh {
@@ -43,6 +45,18 @@ struct MaskMesh {
         {}; ///< u, v per vertex, for alpha-tested meshes; empty: 0, 0
 };
 
+/// The alpha of a texture, texel by texel.
+struct MaskTexels {
+    enum class Wrap { repeat, mirror, clamp };
+    static constexpr int full = 4080; ///< an alpha of 1: 16 times that of 8 bits
+    static constexpr std::size_t most = std::size_t{1} << 24; ///< texels
+
+    int width = 0, height = 0;
+    std::vector<std::uint16_t> alpha; ///< 0..full; rows from v = 0 on
+    Wrap wrapS = Wrap::repeat, wrapT = Wrap::repeat;
+    bool linear = true; ///< filtered linearly between texels; otherwise the nearest
+};
+
 /// Alpha of an alpha-tested mesh: `opacity` times the texture's.
 struct MaskAlpha {
     enum class Channel { alpha, green };
@@ -54,6 +68,12 @@ struct MaskAlpha {
     float cutoff = 0.5f; ///< alpha below it is a hole
     /// Column-major; maps (u, v, 1) to the texture coordinates of the sample.
     std::array<float, 9> texcoordTransform = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    /// In lookups that have cutouts, the mesh casts what its alpha leaves, whether or not it
+    /// `casts` in masks.
+    bool cutsOut = false;
+    /// For `cutsOut`: the texture's texels, which lookups filter as they are, without mipmaps.
+    /// Null: alpha is `opacity` everywhere.
+    std::shared_ptr<const MaskTexels> texels = {};
 };
 
 /// Planes that clip a mesh.

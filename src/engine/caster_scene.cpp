@@ -22,6 +22,25 @@ glm::dmat4 placeOf(const Matrix16& numbers) {
     return place;
 }
 
+void requireTexels(const MaskTexels& texels) {
+    const auto along = [](int size) { return static_cast<std::size_t>(std::max(size, 0)); };
+    const std::size_t count = along(texels.width) * along(texels.height);
+    const std::string size = std::to_string(texels.width) + "x" + std::to_string(texels.height);
+    if (count == 0 || count > MaskTexels::most)
+        throw InputError("An alpha has " + size + " texels, not 1 to " +
+                         std::to_string(MaskTexels::most) + ".");
+    if (texels.alpha.size() != count)
+        throw InputError("An alpha of " + size + " texels has " +
+                         std::to_string(texels.alpha.size()) + " numbers.");
+}
+
+/// Whether two alphas cut the same mesh out in the same way.
+bool cutAlike(const MaskAlpha& a, const MaskAlpha& b) {
+    if (!a.cutsOut || !b.cutsOut) return a.cutsOut == b.cutsOut;
+    return a.texels == b.texels && a.opacity == b.opacity && a.cutoff == b.cutoff &&
+           a.texcoordTransform == b.texcoordTransform;
+}
+
 } // namespace
 
 CasterScene::CasterScene(SidesLayout layout, const gl::Capabilities& capabilities)
@@ -70,6 +89,8 @@ void CasterScene::setAlpha(Id id, const MaskAlpha& alpha) {
             throw InputError("An alpha's transform has a number that is not finite.");
     if (!std::isfinite(alpha.opacity) || !std::isfinite(alpha.cutoff))
         throw InputError("An alpha has an opacity or a cutoff that is not finite.");
+    if (alpha.texels) requireTexels(*alpha.texels);
+    if (!cutAlike(slots_[id].alpha, alpha)) ++casterState_;
     slots_[id].alpha = alpha;
     if (slots_[id].mesh->alphaTested) gpu_->batches[id].alpha = lookupOf(alpha);
 }
@@ -303,11 +324,18 @@ void CasterScene::upload() {
         batch.owns = owned.insert(batch.volumes.planePairs.get()).second;
 }
 
-std::vector<LookupTask::Caster> CasterScene::casters() const {
+std::vector<LookupTask::Caster> CasterScene::casters(bool cutouts) const {
     std::vector<LookupTask::Caster> all;
-    for (std::size_t i = 0; i < slots_.size(); ++i)
-        if (slots_[i].use == Slot::Use::mesh && slots_[i].casts())
-            all.push_back({slots_[i].caster->shadow, loaded_.scene.batches[i].worldFromBatch});
+    for (std::size_t i = 0; i < slots_.size(); ++i) {
+        const Slot& slot = slots_[i];
+        if (slot.use != Slot::Use::mesh || !slot.casts()) continue;
+        LookupTask::Caster& caster = all.emplace_back();
+        caster.worldFromBatch = loaded_.scene.batches[i].worldFromBatch;
+        if (cutouts && slot.cutsOut())
+            caster.cutout = {slot.caster, slot.alpha};
+        else
+            caster.shadow = slot.caster->shadow;
+    }
     return all;
 }
 

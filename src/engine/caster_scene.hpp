@@ -49,8 +49,9 @@ class CasterScene {
     /// Fills in the layers of the view's lights.
     void fillLayers(FrameView& view);
 
-    /// All casters, in their places.
-    std::vector<LookupTask::Caster> casters() const;
+    /// All casters, in their places. `cutouts`: those that MaskAlpha cuts out are, otherwise they
+    /// are whole.
+    std::vector<LookupTask::Caster> casters(bool cutouts) const;
     /// Changes whenever a caster changes or moves.
     std::size_t casterState() const { return casterState_; }
 
@@ -88,7 +89,8 @@ class CasterScene {
         std::optional<std::size_t> mergedInto{}; ///< the batch that draws it
         std::vector<std::size_t> members{};      ///< of a merged mesh
 
-        bool casts() const { return caster && !caster->shadow->caps.empty(); }
+        bool cutsOut() const { return caster && caster->alphaTested && alpha.cutsOut; }
+        bool casts() const { return caster && (cutsOut() || !caster->shadow->caps.empty()); }
         bool isClipped() const { return mesh != whole; }
     };
     static constexpr std::size_t shortRest = 30, longRest = 3000;   // draws

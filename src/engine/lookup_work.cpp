@@ -2,6 +2,9 @@
 
 #include "preprocess/base/stopwatch.hpp"
 
+#include <algorithm>
+#include <glm/gtc/type_ptr.hpp>
+
 namespace edgeshade {
 namespace {
 
@@ -13,7 +16,57 @@ PrimitiveMapSettings settingsOf(const LookupSettings& from) {
     return settings;
 }
 
+static_assert(MaskTexels::full == fullAlpha);
+
+CutoutTexture textureFrom(const MaskAlpha& alpha) {
+    CutoutTexture texture;
+    texture.cutoff = alpha.cutoff;
+    if (!alpha.texels) return texture;
+    const MaskTexels& texels = *alpha.texels;
+    texture.size = {texels.width, texels.height};
+    texture.wrapS = static_cast<CutoutWrap>(texels.wrapS);
+    texture.wrapT = static_cast<CutoutWrap>(texels.wrapT);
+    texture.linear = texels.linear;
+    texture.own = packedAlpha(texels.alpha);
+    return texture;
+}
+
 } // namespace
+
+std::uint32_t LookupWork::Data::textureFor(const MaskAlpha& alpha) {
+    const auto next = static_cast<std::uint32_t>(textures.size());
+    const auto [known, isNew] =
+        textureOf.emplace(std::pair(alpha.texels.get(), alpha.cutoff), next);
+    if (isNew) textures.push_back(textureFrom(alpha));
+    return known->second;
+}
+
+std::shared_ptr<const CasterEdges> LookupWork::Data::edgesOf(const LookupTask::Cutout& cutout) {
+    const MaskAlpha& alpha = cutout.alpha;
+    const std::uint32_t texture = textureFor(alpha);
+    std::array<float, 10> numbers{alpha.opacity};
+    std::copy_n(alpha.texcoordTransform.begin(), 9, numbers.begin() + 1);
+    auto& of = cutoutEdges[{cutout.mesh.get(), texture, numbers}];
+    if (of) return of;
+    Batch batch;
+    batch.geometry = cutout.mesh->geometry;
+    CasterEdges found = cutoutEdgesOf(batch, maskMaterials());
+    const glm::dmat3 transform(glm::make_mat3(alpha.texcoordTransform.data()));
+    for (CutoutTriangle& triangle : found.cutouts) {
+        triangle.material = texture;
+        for (glm::vec3& corner : triangle.corners)
+            corner = glm::vec3(glm::dvec2(transform * glm::dvec3(glm::vec2(corner), 1.0)),
+                               alpha.opacity);
+    }
+    return of = std::make_shared<const CasterEdges>(std::move(found));
+}
+
+std::shared_ptr<const CasterEdges> LookupWork::Data::edgesOf(const LookupTask::Caster& caster) {
+    if (!caster.shadow) return edgesOf(caster.cutout);
+    auto& of = edges[caster.shadow.get()];
+    if (!of) of = std::make_shared<const CasterEdges>(casterEdgesOf(*caster.shadow));
+    return of;
+}
 
 bool LookupWork::Data::step() {
     if (!task.why.empty()) {
@@ -22,12 +75,14 @@ bool LookupWork::Data::step() {
     }
     if (placed.size() < task.casters.size()) {
         const LookupTask::Caster& caster = task.casters[placed.size()];
-        auto& of = edges[caster.shadow.get()];
-        if (!of) of = std::make_shared<const CasterEdges>(casterEdgesOf(*caster.shadow));
-        placed.push_back({of, caster.worldFromBatch, true});
+        placed.push_back({edgesOf(caster), caster.worldFromBatch, true});
         return true;
     }
-    if (!fitting) fitting.emplace(task.light, placed, settingsOf(task.settings));
+    if (!fitting) {
+        PrimitiveMapSettings settings = settingsOf(task.settings);
+        settings.cutouts = textures;
+        fitting.emplace(task.light, placed, settings);
+    }
     if (fitting->step()) return true;
     built.why = refusalOf({fitting->map().has_value(), fitting->tooFar(), fitting->tooLong(),
                            task.settings.mostBytes});

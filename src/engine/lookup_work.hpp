@@ -1,18 +1,26 @@
 #pragma once
 
 #include "edgeshade/light_lookup.hpp"
-#include "preprocess/volumes/plane_pair_data.hpp"
+#include "src/engine/prepared_mesh.hpp"
 #include "src/scene/fitting_map.hpp"
 #include "src/scene/packed_primitive_map.hpp"
 
 #include <map>
+#include <tuple>
 
 namespace edgeshade {
 
 /// Input for building a light's map.
 struct LookupTask {
+    /// A mesh that casts what its alpha leaves.
+    struct Cutout {
+        std::shared_ptr<const PreparedMesh::Data> mesh; ///< only its geometry counts
+        MaskAlpha alpha;
+    };
     struct Caster {
-        std::shared_ptr<const PlanePairShadow> shadow; ///< its caps are the casting triangles
+        /// Its caps are the casting triangles. Null: `cutout` casts instead.
+        std::shared_ptr<const PlanePairShadow> shadow;
+        Cutout cutout{};
         glm::dmat4 worldFromBatch{1.0};
     };
     Light light;
@@ -31,6 +39,11 @@ struct BuiltLookup {
 struct LookupWork::Data {
     /// Returns whether more remains to do.
     bool step();
+    /// The edges of a caster, found once for all that share them.
+    std::shared_ptr<const CasterEdges> edgesOf(const LookupTask::Caster& caster);
+    std::shared_ptr<const CasterEdges> edgesOf(const LookupTask::Cutout& cutout);
+    /// The number of a cutout's texture in `textures`.
+    std::uint32_t textureFor(const MaskAlpha& alpha);
 
     LookupTask task;
     std::size_t casterState = 0; ///< state of the casters when `task` was recorded
@@ -38,6 +51,12 @@ struct LookupWork::Data {
     bool done = false, taken = false;
 
     std::map<const PlanePairShadow*, std::shared_ptr<const CasterEdges>> edges = {};
+    /// Cutouts by mesh, texture, and the numbers of their alpha, which casters may share.
+    std::map<std::tuple<const PreparedMesh::Data*, std::uint32_t, std::array<float, 10>>,
+             std::shared_ptr<const CasterEdges>>
+        cutoutEdges = {};
+    std::map<std::pair<const MaskTexels*, float>, std::uint32_t> textureOf = {};
+    CutoutTextures textures = {}; ///< by the numbers of `textureOf`
     std::vector<PlacedCasters> placed = {};
     std::optional<FittingMap> fitting = {};
 };

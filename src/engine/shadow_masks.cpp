@@ -262,7 +262,8 @@ LookupWork ShadowMasks::lookupWork(const MaskLight& light, const LookupSettings&
         throw InputError(
             "A map of " + std::to_string(settings.size) +
             " texels along its edge can't be made: the size must be a power of 2, at least 4.");
-    LookupTask task{lightsOf({&light, 1}).front(), settings, drawing.casters.casters(), {}};
+    LookupTask task{
+        lightsOf({&light, 1}).front(), settings, drawing.casters.casters(settings.cutouts), {}};
     task.why = drawing.lookups.obstacle(task.light);
     return workOn(std::move(task), drawing.casters.casterState());
 }

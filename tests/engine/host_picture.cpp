@@ -60,7 +60,7 @@ std::string fragmentSource(HostPicture::Language language) {
                  "#define EDGESHADE_DERIVATIVES\n" +
                  source;
     // Two lights in one shader have separate names.
-    source += lookupSource("sun") + lookupSource("other_lamp");
+    source += lookupSource("sun", language.cutouts) + lookupSource("other_lamp");
     return source + "#define ASKED " + asks + "\n" + fragmentStage;
 }
 

@@ -9,9 +9,10 @@ namespace edgeshade::test {
 /// black elsewhere, and white where there is no surface.
 class HostPicture {
   public:
-    /// `version3`: GLSL ES 3.00, else 1.00; with derivatives, or with normals that the host passes.
+    /// `version3`: GLSL ES 3.00, else 1.00; with derivatives, or with normals that the host passes;
+    /// with cutouts or without.
     struct Language {
-        bool version3 = false, derivatives = true;
+        bool version3 = false, derivatives = true, cutouts = false;
     };
 
     HostPicture(const ShadowMasks& masks, ShadowMasks::LookupId lookup, const MaskLight& light,

@@ -95,10 +95,15 @@ class Records {
         record = next();
         map_.cutouts = true;
         const CutoutTexture& texture = textures_[material];
-        map_.records.emplace_back(texture.place, texture.size);
+        const glm::ivec2 place = texture.own ? glm::ivec2(3 * record + 3, 0) : texture.place;
+        map_.records.emplace_back(place, texture.size);
         map_.records.emplace_back(texture.cutoff, static_cast<int>(texture.wrapS),
                                   static_cast<int>(texture.wrapT), texture.linear ? 1.0f : 0.0f);
         map_.records.emplace_back(0.0f);
+        if (texture.own) {
+            map_.records.insert(map_.records.end(), texture.own->begin(), texture.own->end());
+            map_.records.resize((map_.records.size() + 2) / 3 * 3, glm::vec4(0.0f));
+        }
         return record;
     }
 
