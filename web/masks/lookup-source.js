@@ -6,10 +6,13 @@ const isOwn = (word) => /rimitive|PRIMITIVE_|^cutout|^wrappedTexel$/.test(word);
 
 const short = (word) => word[0].toLowerCase() + word.slice(1);
 
-/** As described at lookupSource() in edgeshade/light_lookup.hpp. `prefix`: starts all names. */
-export function lookupSource(prefix) {
+/**
+ * As described at lookupSource() in edgeshade/light_lookup.hpp. `prefix`: starts all names;
+ * `cutouts`: for maps with cutouts, too.
+ */
+export function lookupSource(prefix, { cutouts = false } = {}) {
   if (!/^(?!gl_)[A-Za-z_]\w*$/.test(prefix) || /__|_$/.test(prefix)) throw new Error(`'${prefix}' is not a valid prefix for names in GLSL.`);
-  return text.replace(/\w+/g, (word) => {
+  return (cutouts ? `#define ${prefix}_PRIMITIVE_MAP_CUTOUTS\n` : '') + text.replace(/\w+/g, (word) => {
     if (!isOwn(word)) return word;
     const named = word.replace(/^u_primitive(\w+)|^primitive(Lit\w*)/, (_, uniform, asked) => short(uniform ?? asked));
     return `${prefix}_${named}`;

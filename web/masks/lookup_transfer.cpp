@@ -1,6 +1,8 @@
 #include "web/masks/lookup_transfer.hpp"
 
-#include "web/archive.hpp"
+#include "web/mesh_archive.hpp"
+
+#include <map>
 
 namespace edgeshade::web {
 
@@ -14,6 +16,11 @@ void transfer(Archive& archive, Maybe<BuiltLookup> auto& built) {
     archive(built.why, built.map, built.milliseconds);
 }
 
+template <class Archive>
+void transfer(Archive& archive, Maybe<MaskTexels> auto& texels) {
+    archive(texels.width, texels.height, texels.alpha, texels.wrapS, texels.wrapT, texels.linear);
+}
+
 namespace {
 
 /// The fields that both directions share.
@@ -22,34 +29,75 @@ void transferStart(Archive& archive, Maybe<LookupWork::Data> auto& data) {
     archive(data.task.light, data.task.settings, data.task.why, data.casterState);
 }
 
-/// A caster's place, and the index of its shape.
+constexpr std::size_t none = ~std::size_t{0};
+
+/// A caster's place, with indices of its shape, or of the mesh and the texels that cut it out.
 struct Place {
-    std::size_t shape = 0;
+    std::size_t shape = none, mesh = none, texels = none;
+    float opacity = 1.0f, cutoff = 0.5f;
+    std::array<float, 9> texcoordTransform{};
     glm::dmat4 worldFromBatch{1.0};
 };
+
+/// Values that casters share, numbered by first use.
+template <class T>
+class Shared {
+  public:
+    std::size_t numberOf(const T* value) {
+        if (!value) return none;
+        const auto [known, isNew] = numbers_.emplace(value, all.size());
+        if (isNew) all.push_back(value);
+        return known->second;
+    }
+    std::vector<const T*> all;
+
+  private:
+    std::map<const T*, std::size_t> numbers_;
+};
+
+/// Reads as many values as its number says; `take(value)` keeps each.
+template <class T, class Take>
+void readAll(Reader& reader, Take take) {
+    std::size_t count = 0;
+    for (reader(count); count > 0; --count) {
+        T value;
+        reader(value);
+        take(std::move(value));
+    }
+}
 
 } // namespace
 
 Bytes taskToTransfer(const LookupWork& work) {
     const LookupWork::Data& data = *work.data();
-    std::map<const PlanePairShadow*, std::size_t> numbers;
-    std::vector<const PlanePairShadow*> shapes;
+    Shared<PlanePairShadow> shapes;
+    Shared<PreparedMesh::Data> meshes;
+    Shared<MaskTexels> texels;
     std::vector<Place> places;
     for (const LookupTask::Caster& caster : data.task.casters) {
-        const auto [known, isNew] = numbers.emplace(caster.shadow.get(), shapes.size());
-        if (isNew) shapes.push_back(caster.shadow.get());
-        places.push_back({known->second, caster.worldFromBatch});
+        const auto& [mesh, alpha] = caster.cutout;
+        places.push_back({shapes.numberOf(caster.shadow.get()), meshes.numberOf(mesh.get()),
+                          texels.numberOf(alpha.texels.get()), alpha.opacity, alpha.cutoff,
+                          alpha.texcoordTransform, caster.worldFromBatch});
     }
     std::size_t size = 4096 + places.size() * sizeof(Place);
-    for (const PlanePairShadow* shape : shapes)
+    for (const PlanePairShadow* shape : shapes.all)
         size += shape->caps.size() * sizeof(CapRecord) + sizeof size;
+    for (const MaskTexels* of : texels.all)
+        size += of->alpha.size() * sizeof(std::uint16_t) + 64;
     Bytes bytes;
     bytes.reserve(size);
     Writer writer(bytes);
     transferStart(writer, data);
-    writer(places, shapes.size());
-    for (const PlanePairShadow* shape : shapes)
+    writer(places, shapes.all.size());
+    for (const PlanePairShadow* shape : shapes.all)
         writer(shape->caps);
+    writer(meshes.all.size());
+    for (const PreparedMesh::Data* mesh : meshes.all)
+        writer(*mesh->geometry);
+    writer(texels.all.size());
+    for (const MaskTexels* of : texels.all)
+        writer(*of);
     return bytes;
 }
 
@@ -58,15 +106,33 @@ LookupWork taskFromTransfer(std::span<const std::uint8_t> bytes) {
     Reader reader(bytes);
     transferStart(reader, *data);
     std::vector<Place> places;
-    std::size_t count = 0;
-    reader(places, count);
-    std::vector<std::shared_ptr<PlanePairShadow>> shapes(count);
-    for (auto& shape : shapes) {
-        shape = std::make_shared<PlanePairShadow>();
-        reader(shape->caps);
+    reader(places);
+    std::vector<std::shared_ptr<const PlanePairShadow>> shapes;
+    readAll<std::vector<CapRecord>>(reader, [&](std::vector<CapRecord> caps) {
+        auto shape = std::make_shared<PlanePairShadow>();
+        shape->caps = std::move(caps);
+        shapes.push_back(std::move(shape));
+    });
+    std::vector<std::shared_ptr<const PreparedMesh::Data>> meshes;
+    readAll<Geometry>(reader, [&](Geometry geometry) {
+        meshes.push_back(std::make_shared<const PreparedMesh::Data>(
+            PreparedMesh::Data{CopyOnWrite<Geometry>(std::move(geometry)), nullptr, true}));
+    });
+    std::vector<std::shared_ptr<const MaskTexels>> texels;
+    readAll<MaskTexels>(reader, [&](MaskTexels of) {
+        texels.push_back(std::make_shared<const MaskTexels>(std::move(of)));
+    });
+    for (const Place& place : places) {
+        LookupTask::Caster& caster = data->task.casters.emplace_back();
+        caster.worldFromBatch = place.worldFromBatch;
+        if (place.shape != none) caster.shadow = shapes[place.shape];
+        if (place.mesh == none) continue;
+        MaskAlpha alpha{.opacity = place.opacity,
+                        .cutoff = place.cutoff,
+                        .texcoordTransform = place.texcoordTransform};
+        if (place.texels != none) alpha.texels = texels[place.texels];
+        caster.cutout = {meshes[place.mesh], std::move(alpha)};
     }
-    for (const Place& place : places)
-        data->task.casters.push_back({shapes[place.shape], place.worldFromBatch});
     return LookupWork(std::move(data));
 }
 

@@ -23,12 +23,26 @@ export interface MaskMesh {
   doubleSided?: boolean;
   /**
    * Whether it has holes where its alpha (setAlpha()) is below the cutoff: there it is neither
-   * visible nor receives. If it casts, its whole triangles cast, as if it had no holes. Default:
-   * false.
+   * visible nor receives. If it casts, masks have the shadow of its whole triangles, as if it had
+   * no holes; for lookups see MaskAlpha.cutsOut. Default: false.
    */
   alphaTested?: boolean;
   /** u, v per vertex; for alpha-tested meshes. Default: 0, 0. */
   texcoords?: ArrayLike<number>;
+}
+
+/** The alpha of a texture, texel by texel; it is copied. */
+export interface MaskTexels {
+  width: number;
+  height: number;
+  /** width * height integers, 0 to 4080 for an alpha of 1, which is 16 times that of 8 bits; rows
+   * from v = 0 on. At most 16,777,216. */
+  alpha: ArrayLike<number> & Iterable<number>;
+  /** Default: 'repeat'. */
+  wrapS?: 'repeat' | 'mirror' | 'clamp';
+  wrapT?: 'repeat' | 'mirror' | 'clamp';
+  /** Lookups filter the texels as they are, without mipmaps. Default: 'linear'. */
+  filter?: 'linear' | 'nearest';
 }
 
 /** The alpha of an alpha-tested mesh: opacity times the texture's. */
@@ -45,6 +59,13 @@ export interface MaskAlpha {
   cutoff?: number;
   /** 9 numbers, column-major: the texture is sampled at this matrix times (u, v, 1). */
   texcoordTransform?: ArrayLike<number> & Iterable<number>;
+  /**
+   * In lookups with `cutouts` the mesh casts what its alpha leaves, whether or not it `casts` in
+   * masks. Default: false.
+   */
+  cutsOut?: boolean;
+  /** For cutsOut: the texture's texels, from addTexels(). Without them alpha is opacity alone. */
+  texels?: number | null;
 }
 
 /** Planes that clip a mesh. */
@@ -118,6 +139,11 @@ export interface LookupOptions {
   size?: number;
   /** Limit on the GPU; smaller maps are tried first. Default: 64 MiB. */
   mostBytes?: number;
+  /**
+   * Meshes whose alpha cuts them out (MaskAlpha.cutsOut) cast what it leaves. The shader needs
+   * lookupSource() with `cutouts`, too. Default: false.
+   */
+  cutouts?: boolean;
   /** Cancels the work. */
   signal?: AbortSignal;
 }
@@ -156,8 +182,9 @@ export interface LightLookup {
  * of any length; `casts`: everything drawn there was added with `casts`. It uses derivatives: in
  * GLSL ES 1.00 enable GL_OES_standard_derivatives and define EDGESHADE_DERIVATIVES before it, or
  * call `PREFIX_litOn(position, towardsEye, normal, 16.0, casts)` with the triangle's own normal.
+ * `cutouts`: for maps with LookupOptions.cutouts, too. Default: false.
  */
-export function lookupSource(prefix: string): string;
+export function lookupSource(prefix: string, options?: { cutouts?: boolean }): string;
 
 /** All methods throw an Error whose message is a sentence. */
 export class ShadowMasks {
@@ -181,6 +208,10 @@ export class ShadowMasks {
   add(mesh: number, worldFromObject: Matrix): number;
   /** Replaces the mesh, in the same place. */
   change(id: number, mesh: number): void;
+  /** Copies a texture's alpha. Returns a number for MaskAlpha.texels. */
+  addTexels(texels: MaskTexels): number;
+  /** Frees the number; meshes that have these texels keep them. */
+  releaseTexels(texels: number): void;
   /** For an alpha-tested mesh, which has no holes until this is set, nor after change(). */
   setAlpha(id: number, alpha: MaskAlpha): void;
   move(id: number, worldFromObject: Matrix): void;

@@ -1,7 +1,7 @@
 // Keeps the mask engine's meshes in step with three.js's scene.
 
 import { BackSide, DoubleSide, Matrix4 } from 'three';
-import { isAlphaTested, sameAlpha, texcoordsNameOf } from './alpha-tests.js';
+import { alphaTestedCasting, isAlphaTested, sameAlpha, texcoordsNameOf } from './alpha-tests.js';
 import { unclipped } from './clippings.js';
 import { isPosed, poseOf, sameNumbers, shapeOf, texcoordsOf, versionsOf } from './mesh-shape.js';
 
@@ -32,10 +32,20 @@ function roleOf(mesh, alphaTestedCast) {
   const shown = materials.filter(isShown);
   if (shown.length === 0) return null;
   const tested = shown.every(isAlphaTested) ? shown[0] : null;
-  const casts = Boolean(mesh.castShadow && (alphaTestedCast || !tested));
-  if (!casts && !mesh.receiveShadow) return null;
+  const casts = Boolean(mesh.castShadow && (alphaTestedCast.whole || !tested));
+  const cutsOut = Boolean(mesh.castShadow && alphaTestedCast.cutsOut && tested);
+  if (!casts && !cutsOut && !mesh.receiveShadow) return null;
   const sides = new Set(materials.map(({ side }) => side));
-  return made(casts, tested, materials[0].side, sides.size > 1);
+  return { ...made(casts, tested, materials[0].side, sides.size > 1), cutsOut };
+}
+
+/** Why a mesh's alpha isn't cut out exactly, apart from its texture: a clause, or ''. */
+function obstacleOf(mesh) {
+  const shown = materialsOf(mesh).filter(isShown);
+  const textures = ({ map, alphaMap, alphaTest, opacity }) => [map, alphaMap, alphaTest, opacity].map((value) => value?.uuid ?? value).join();
+  if (shown.some((material) => textures(material) !== textures(shown[0]))) return 'is cut out as its first material: its materials have different alpha';
+  if (shown[0].vertexColors && mesh.geometry.attributes.color?.itemSize === 4) return "casts as if its vertices' alpha were 1";
+  return '';
 }
 
 /** A role and its key. */
@@ -76,9 +86,12 @@ export class Casters {
   #meshes = new Map();   // three.js's mesh: the engine's record of it
   #problems = [];
   #told = new WeakSet(); // meshes that were warned of
+  #warnings;
+  #cutsOut = false;
 
-  constructor(masks, alphaTests, clippings) {
+  constructor(masks, alphaTests, clippings, warnings) {
     this.#masks = masks;
+    this.#warnings = warnings;
     this.#alphaTests = alphaTests;
     this.#clippings = clippings;
   }
@@ -94,7 +107,12 @@ export class Casters {
    */
   casts(mesh) {
     const had = this.#meshes.get(mesh);
-    return Boolean(had?.casts) && had.clippings === unclipped;
+    return Boolean(had?.casts || had?.alphas[0]?.cutsOut) && had.clippings === unclipped;
+  }
+
+  /** Whether some meshes cast what their alpha leaves, where a light is looked up. */
+  get cutsOut() {
+    return this.#cutsOut;
   }
 
   /** Resolves when nothing is pending; throws any error since the last call. */
@@ -108,14 +126,15 @@ export class Casters {
   }
 
   /** Makes the engine have exactly these meshes in their current state, except those whose edges
-   * are still being found. `alphaTestedCast`: whether alpha-tested meshes keep their
-   * castShadow. */
+   * are still being found. `alphaTestedCast`: a choice of alphaTestedCasting(). */
   follow(meshes, alphaTestedCast) {
-    const seen = new Set();
+    const seen = new Set(), casting = alphaTestedCasting(alphaTestedCast);
+    this.#cutsOut = false;
     for (const mesh of meshes) {
-      const role = roleOf(mesh, alphaTestedCast);
+      const role = roleOf(mesh, casting);
       if (!role) continue;
       seen.add(mesh);
+      this.#cutsOut ||= Boolean(role.cutsOut);
       this.#followOne(mesh, role);
     }
     for (const mesh of [...this.#meshes.keys()]) if (!seen.has(mesh)) this.#drop(mesh);
@@ -143,13 +162,14 @@ export class Casters {
     let had = this.#meshes.get(mesh);
     if (!had) this.#meshes.set(mesh, had = { key: null, ids: [], places: [], alphas: [], shown: null, clippings: unclipped });
     had.casts = role.casts;
+    had.cutsOut = Boolean(role.cutsOut);
     if (isPosed(mesh)) this.#pose(mesh, role, had);
     else this.#followShape(mesh, role, had);
     const { number: found = null, ahead } = this.#prepared.get(had.key) ?? {};
     if (found === null || ahead) return;
     this.#clip(mesh, had);
     this.#place(mesh, found, had);
-    if (role.tested) this.#setAlpha(role.tested, had);
+    if (role.tested) this.#setAlpha(mesh, role.tested, had);
   }
 
   #followShape(mesh, role, had) {
@@ -265,8 +285,10 @@ export class Casters {
   }
 
   /** Sets the alpha of all instances, if it has changed. */
-  #setAlpha(material, { ids, alphas }) {
-    const alpha = this.#alphaTests.of(material);
+  #setAlpha(mesh, material, { ids, alphas, cutsOut }) {
+    const alpha = this.#alphaTests.of(material, cutsOut);
+    const why = cutsOut && !(alphas[0] && sameAlpha(alphas[0], alpha)) && (alpha.why || obstacleOf(mesh));
+    if (why) this.#warnings.warn(mesh, `Alpha-tested mesh '${mesh.name}' ${why}.`);
     for (const [i, id] of ids.entries()) {
       if (alphas[i] && sameAlpha(alphas[i], alpha)) continue;
       this.#masks.setAlpha(id, alpha);

@@ -2,7 +2,7 @@
 
 import { Matrix4, Vector2, Vector3, Vector4 } from 'three';
 import { mostLights, ShadowMasks } from '../masks/shadow-masks.js';
-import { AlphaTests } from './alpha-tests.js';
+import { AlphaTests, alphaTestedCasting } from './alpha-tests.js';
 import { Casters } from './casters.js';
 import { Clippings } from './clippings.js';
 import { mostSlots, slotName } from './lit.glsl.js';
@@ -10,6 +10,8 @@ import { MaskTextures } from './mask-textures.js';
 import { MaterialPatches } from './material-patch.js';
 import { RestingLights } from './resting-lights.js';
 import { castingLights } from './scene-lights.js';
+import { TexelReading } from './texel-reading.js';
+import { Warnings } from './warnings.js';
 
 /** Index of the first map in MaskTextures, after nearness and masks. */
 const firstMap = 1 + mostLights / 4;
@@ -46,6 +48,8 @@ export class ExactShadows {
   #masks = null;
   #casters = null;
   #resting = null;
+  #texels = null;
+  #warnings = new Warnings();
   #lookedUp = 0; // number of lights in the last picture
   #mostLookedUp;
   #starting;
@@ -76,6 +80,7 @@ export class ExactShadows {
     this.#masks?.forget();
     this.#casters?.forget();
     this.#resting?.forget();
+    this.#texels?.forget();
     this.#textures.clear();
   };
   #restore = () => {
@@ -83,11 +88,12 @@ export class ExactShadows {
     this.#lost = false;
   };
 
-  constructor(renderer, { lightSamples = 64, alphaTestedCast = true, keepsState = false, lookups = 1 } = {}) {
+  constructor(renderer, { lightSamples = 64, alphaTestedCast = 'exact', keepsState = false, lookups = 1 } = {}) {
     if (!renderer?.isWebGLRenderer) throw new Error('ExactShadows needs a WebGLRenderer of three.js.');
     const context = renderer.getContext();
     if (typeof WebGL2RenderingContext === 'undefined' || !(context instanceof WebGL2RenderingContext))
       throw new Error('ExactShadows needs a renderer that draws with WebGL 2.');
+    alphaTestedCasting(alphaTestedCast); // throws if there is no such choice
     this.#renderer = renderer;
     this.lightSamples = lightSamples;
     this.alphaTestedCast = alphaTestedCast;
@@ -103,7 +109,8 @@ export class ExactShadows {
         if (this.#disposed) return masks.dispose();
         this.#masks = masks;
         this.#resetRenderer();
-        this.#casters = new Casters(masks, new AlphaTests(renderer), new Clippings(renderer));
+        this.#texels = new TexelReading(renderer, masks);
+        this.#casters = new Casters(masks, new AlphaTests(renderer, this.#texels), new Clippings(renderer), this.#warnings);
         this.#resting = new RestingLights(masks, this.#mostLookedUp, () => this.#resetRenderer());
         return undefined;
       },
@@ -192,6 +199,8 @@ export class ExactShadows {
     this.#casters = null;
     this.#resting?.forget();
     this.#resting = null;
+    this.#texels?.dispose();
+    this.#texels = null;
     this.#masks?.dispose();
     this.#masks = null;
   }
@@ -245,7 +254,11 @@ export class ExactShadows {
     if (camera.parent === null && camera.matrixWorldAutoUpdate !== false) camera.updateMatrixWorld();
     const within = ancestorTakesPart(scene, this.#roots);
     const { lights, meshes } = visibleOf(scene, camera, within ? new Set([scene]) : this.#roots);
-    if (!this.#lost) this.#casters?.follow(meshes, this.alphaTestedCast);
+    if (!this.#lost) {
+      this.#texels?.advance();
+      this.#casters?.follow(meshes, this.alphaTestedCast);
+      if (this.#casters?.cutsOut) this.#patches.addCutouts();
+    }
     const receiving = new Map(); // by material: whether all meshes with it cast
     for (const mesh of meshes) {
       if (!mesh.receiveShadow) continue;
@@ -259,9 +272,20 @@ export class ExactShadows {
   /** For each light, the map that it is looked up in, or null. */
   #mapsOf({ lights, sources }) {
     this.#resting.most = this.#patches.slots;
-    const maps = this.#resting.follow(lights.map((numbers, i) => ({ light: sources[i], numbers })), this.#casters.pending === 0);
+    const maps = this.#resting.follow(lights.map((numbers, i) => ({ light: sources[i], numbers })), this.#casters.pending === 0 && !this.#texels.waits);
     this.#lookedUp = maps.filter(Boolean).length;
+    if (this.#casters.cutsOut) this.#warnOfLights(lights, sources, maps);
     return maps;
+  }
+
+  /** Warns of lights that are not looked up, not even at rest: masks have no cutouts. */
+  #warnOfLights(lights, sources, maps) {
+    const whys = this.notLookedUp, most = Math.min(this.#mostLookedUp, this.#patches.slots);
+    for (const [i, light] of sources.entries()) {
+      if (maps[i]) continue;
+      const why = whys.get(light) ?? (lights[i].radius > 0 ? 'it has a radius' : this.#lookedUp >= most && `${most} lights are looked up at once`);
+      if (why) this.#warnings.warn(light, `Alpha-tested meshes do not cast what their alpha leaves in light '${light.name}', which is not looked up: ${why}.`);
+    }
   }
 
   #showMaps(camera, maps) {

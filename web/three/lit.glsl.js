@@ -24,7 +24,7 @@ const askMap = (slot) => /* glsl */`
 `;
 
 /** The lookups of maps, for as many slots as a material has room for. */
-const lookups = (slots) => Array.from({ length: slots }, (_, slot) => lookupSource(slotName(slot))).join('\n') + /* glsl */`
+const lookups = (slots, cutouts) => Array.from({ length: slots }, (_, slot) => lookupSource(slotName(slot), { cutouts })).join('\n') + /* glsl */`
 uniform int edgeshadeMaps[ ${mostSlots} ]; // 1: there is one
 uniform bool edgeshadeCasts; // all that the material is on
 float edgeshadeLooked[ ${mostSlots} ];
@@ -40,9 +40,9 @@ void edgeshadeAskMaps( const in highp vec3 position ) {
 /** Goes before main(). A fragment normally takes the masks' texel at its pixel. At outlines
  * masks and picture may show different surfaces; there it takes the surrounding texel whose
  * nearness is closest to the fragment's own. */
-export const declarations = (slots) => /* glsl */`
+export const declarations = (slots, cutouts) => /* glsl */`
 #if ${all} > 0
-${lookups(slots)}
+${lookups(slots, cutouts)}
 uniform mediump sampler2D edgeshadeMasks[ ( ${all} + 3 ) / 4 ];
 uniform float edgeshadeIntensities[ ${all} ];
 uniform highp sampler2D edgeshadeNearness;

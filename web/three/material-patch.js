@@ -39,9 +39,9 @@ function withPosition(shader) {
   shader.fragmentShader = `${varying}\n${shader.fragmentShader}`;
 }
 
-function withShadows(source, material, slots) {
+function withShadows(source, material, slots, cutouts) {
   const seeThrough = isMasked(material) ? '' : '#define EDGESHADE_SEE_THROUGH\n';
-  const text = source.replace(lightsDeclared, (found) => `${found}\n${seeThrough}${declarations(slots)}`);
+  const text = source.replace(lightsDeclared, (found) => `${found}\n${seeThrough}${declarations(slots, cutouts)}`);
   if (!material.isShadowMaterial) return text.replace(lightsBegin, () => lightsWithMasks(ShaderChunk.lights_fragment_begin));
   const main = text.indexOf(maskDeclared) + maskDeclared.length;
   return `${text.slice(0, main)}\n${shadowMask}${text.slice(main).replaceAll('getShadowMask()', 'edgeshadeMask()')}`;
@@ -58,6 +58,7 @@ export class MaterialPatches {
   #mostTextures;
   #most;
   #slots;
+  #cutouts = false;
 
   /** `uniforms`: for declarations(), in three.js's form, shared by all materials;
    * `mostTextures`: limit per program; `most`: lights' maps at once. */
@@ -70,6 +71,16 @@ export class MaterialPatches {
   /** Number of lights' maps for which all added materials have room. */
   get slots() {
     return this.#slots;
+  }
+
+  /** From now on programs can look cutouts up, which compiles all of them again. */
+  addCutouts() {
+    if (this.#cutouts) return;
+    this.#cutouts = true;
+    for (const reference of this.#alive) {
+      const material = reference.deref();
+      if (material) material.needsUpdate = true;
+    }
   }
 
   /**
@@ -88,17 +99,17 @@ export class MaterialPatches {
     const reference = new WeakRef(material);
     this.#alive.add(reference);
     this.#gone.register(material, reference);
-    const key = `${this.#key} ${slots}`;
+    const key = `${this.#key} ${slots}`, cutouts = () => this.#cutouts;
     material.onBeforeCompile = function (shader, renderer) {
       onBeforeCompile.call(this, shader, renderer);
       Object.assign(shader.uniforms, uniforms);
-      shader.fragmentShader = withShadows(shader.fragmentShader, this, slots);
+      shader.fragmentShader = withShadows(shader.fragmentShader, this, slots, cutouts());
       if (this.isShadowMaterial) withPosition(shader);
     };
     // three.js's own key is the text of onBeforeCompile, which is now the patch's.
     const before = own ? null : onBeforeCompile.toString();
     material.customProgramCacheKey = function () {
-      return `${key} ${isMasked(this)} ${before ?? customProgramCacheKey.call(this)}`;
+      return `${key} ${cutouts()} ${isMasked(this)} ${before ?? customProgramCacheKey.call(this)}`;
     };
     material.needsUpdate = true;
   }

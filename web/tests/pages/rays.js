@@ -1,6 +1,7 @@
 // Shadows of small clipped scenes by rays on the CPU, and comparisons of pictures with them.
 
 import * as three from 'three';
+import { isHole } from './texel-alpha.js';
 
 const isBeyond = (point) => (plane) => plane.distanceToPoint(point) < 0;
 
@@ -20,7 +21,7 @@ function rayPicture(renderer, scene, camera, light) {
   camera.updateMatrixWorld();
   const meshes = [];
   scene.traverse((object) => { if (object.isMesh && object.visible) meshes.push(object); });
-  const ray = new three.Raycaster(), aim = new three.Vector2(), normal = new three.Vector3(), towards = new three.Vector3();
+  const ray = new three.Raycaster(), aim = new three.Vector2(), normal = new three.Vector3(), towards = new three.Vector3(), axis = new three.Vector3();
   const found = new Float64Array(width * height);
   for (let y = 0; y < height; ++y)
     for (let x = 0; x < width; ++x) {
@@ -28,8 +29,8 @@ function rayPicture(renderer, scene, camera, light) {
       ray.near = 0;
       ray.far = Infinity;
       const eye = ray.ray.direction.clone();
-      const hit = ray.intersectObjects(meshes, false).find(({ point, object: { material } }) =>
-        !renderer.clippingPlanes.some(isBeyond(point)) && !clipsLocally(renderer, material, point));
+      const hit = ray.intersectObjects(meshes, false).find((one) => !isHole(one) &&
+        !renderer.clippingPlanes.some(isBeyond(one.point)) && !clipsLocally(renderer, one.object.material, one.point));
       if (!hit) continue;
       normal.copy(hit.face.normal);
       if (hit.instanceId !== undefined) {
@@ -40,14 +41,16 @@ function rayPicture(renderer, scene, camera, light) {
       normal.transformDirection(hit.object.matrixWorld);
       if (normal.dot(eye) > 0) normal.negate();
       towards.copy(light.position);
-      if (light.isPointLight) towards.sub(hit.point);
+      const near = light.isPointLight || light.isSpotLight;
+      if (near) towards.sub(hit.point);
       ray.near = 1e-5;
-      ray.far = light.isPointLight ? towards.length() : Infinity;
+      ray.far = near ? towards.length() : Infinity;
       towards.normalize();
-      const faces = normal.dot(towards) > 0;
+      const inCone = !light.isSpotLight || towards.dot(axis.copy(light.position).sub(light.target.position).normalize()) > Math.cos(light.angle);
+      const faces = inCone && normal.dot(towards) > 0;
       ray.set(hit.point, towards);
-      const lit = faces && !ray.intersectObjects(meshes, false).some(({ point, object: { material } }) =>
-        !(material.clipShadows && clipsLocally(renderer, material, point)));
+      const lit = faces && !ray.intersectObjects(meshes, false).some((one) => one.object.castShadow && !isHole(one) &&
+        !(one.object.material.clipShadows && clipsLocally(renderer, one.object.material, one.point)));
       const side = Math.round(normal.x) + 3 * Math.round(normal.y) + 9 * Math.round(normal.z) + 13;
       found[y * width + x] = (lit ? 2 : 1) + 4 * (1 + meshes.indexOf(hit.object)) + 256 * side + 8192 * (hit.instanceId ?? 0);
     }
