@@ -77,7 +77,9 @@ std::array<float, 16> mapFromView(const LightLookup& lookup, const Matrix16& vie
 /// included. `position`: the fragment's, in the space from which PREFIX_mapFromHost maps.
 /// `towardsEye`: direction from there to the eye, of any length; -position in a perspective
 /// camera's space. `casts`: every triangle drawn with this shader was added with MaskMesh::casts;
-/// where such triangles face away from the light they are dark. The function takes derivatives. In
+/// where eye and light are on different sides of such triangles they are dark. gl_FrontFacing must
+/// be true on the side from which their corners in MaskMesh run counter-clockwise: a host turns
+/// glFrontFace() for mirrored meshes, or passes false. The function takes derivatives. In
 /// GLSL ES 1.00 enable GL_OES_standard_derivatives and define EDGESHADE_DERIVATIVES before the
 /// source, and call it where neighbouring fragments call it too. Without derivatives use
 ///

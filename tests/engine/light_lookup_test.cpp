@@ -143,6 +143,36 @@ TEST(LightLookup, TellsSurfacesThatOnlyReceive) {
     }
 }
 
+TEST(LightLookup, ShadesTheBacksOfOpenSheets) {
+    // Seen between two sheets, the lower one shows the light its back.
+    const auto sheets = [](bool turned) {
+        SceneBuilder builder;
+        builder.quad({-4, 1, -4}, {-4, 1, 4}, {4, 1, 4}, {4, 1, -4});
+        if (turned)
+            builder.quad({-4, 0.8f, -4}, {4, 0.8f, -4}, {4, 0.8f, 4}, {-4, 0.8f, 4});
+        else
+            builder.quad({-4, 0.8f, -4}, {-4, 0.8f, 4}, {4, 0.8f, 4}, {4, 0.8f, -4});
+        return builder.scene();
+    };
+    const Camera between{{6, 0.95, 0.3}, {0, 0.85, 0}, 50.0};
+    for (const Light& from : {sun({0.9, 0.35, 0.1}), pointLight({9, 4, 0.5})})
+        for (const bool turned : {false, true}) {
+            const Mask expected = renderedMask(sheets(turned), between, from);
+            EXPECT_GT(std::count(expected.begin(), expected.end(), 0), 200);
+            const gl::HeadlessContext context({hostWidth, hostHeight});
+            const Scene scene = sheets(turned);
+            ShadowMasks masks(eglLookUp);
+            masks.add(meshOf(geometryOf(scene)));
+            const MaskLight light = hostLight(from);
+            const auto id = lookedUp(masks, light);
+            for (const HostPicture::Language language : languages(context.capabilities())) {
+                HostPicture(masks, id, light, viewOf(between), language)
+                    .draw(geometryOf(scene), identity16, true);
+                EXPECT_EQ(compared(redOf(context), expected).beyond, 0u) << turned;
+            }
+        }
+}
+
 TEST(LightLookup, ShowsNoFringesUnderMultisampling) {
     const Light light = sun({0.5, 1, -0.3});
     const Mask expected = renderedMask(yard().scene(), corner, light);

@@ -179,9 +179,10 @@ export interface LightLookup {
  * Source for any fragment shader in GLSL ES 1.00 or 3.00, for any light:
  * `bool PREFIX_lit(highp vec3 position, highp vec3 towardsEye, bool casts)` tells whether shadow
  * lets the light through. `position`: in the space of PREFIX_mapFromHost; `towardsEye`: from there,
- * of any length; `casts`: everything drawn there was added with `casts`. It uses derivatives: in
- * GLSL ES 1.00 enable GL_OES_standard_derivatives and define EDGESHADE_DERIVATIVES before it, or
- * call `PREFIX_litOn(position, towardsEye, normal, 16.0, casts)` with the triangle's own normal.
+ * of any length; `casts`: everything drawn there was added with `casts`, and gl_FrontFacing is true
+ * where its corners run counter-clockwise, mirrored or not. It uses derivatives: in GLSL ES 1.00
+ * enable GL_OES_standard_derivatives and define EDGESHADE_DERIVATIVES before it, or call
+ * `PREFIX_litOn(position, towardsEye, normal, 16.0, casts)` with the triangle's own normal.
  * `cutouts`: for maps with LookupOptions.cutouts, too. Default: false.
  */
 export function lookupSource(prefix: string, options?: { cutouts?: boolean }): string;

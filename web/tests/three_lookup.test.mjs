@@ -199,3 +199,40 @@ test('maps of lights come and go with the state of the context as it was', async
   assert.deepEqual(told.changes, []);
   await shared.check(page, [/invalid parameter name/, /too many errors/]);
 });
+
+test('backs of open sheets under other sheets are dark, mirrored or drawn from their backs, too', async (context) => {
+  const { page, told } = await inPage(context, async ({ three, ExactShadows, rendererOf, cameraOf, lampOf, rested, redOf, comparedWithRays }) => {
+    const renderer = rendererOf({ width: 160, height: 100 });
+    const gradientMap = new three.DataTexture(new Uint8Array(8).fill(255), 2, 1);
+    gradientMap.needsUpdate = true;
+    const white = (side) => new three.MeshToonMaterial({ color: 0xffffff, side, gradientMap });
+    const camera = cameraOf({ from: [6, 0.95, 0.3], to: [0, 0.85, 0], fov: 50 }, 1.6);
+    const compared = {};
+    for (const [name, side, turn, mirror] of [['front', three.DoubleSide, -1, 1], ['back', three.DoubleSide, 1, 1],
+      ['mirrored front', three.DoubleSide, -1, -1], ['mirrored back', three.DoubleSide, 1, -1], ['drawn from its back', three.BackSide, 1, 1]]) {
+      const scene = new three.Scene();
+      for (const [height, material, turned] of [[1, white(three.DoubleSide), -1], [0.8, white(side), turn]]) {
+        const sheet = new three.Mesh(new three.PlaneGeometry(8, 8), material);
+        sheet.rotation.x = turned * Math.PI / 2;
+        sheet.scale.x = height < 1 ? mirror : 1;
+        sheet.position.y = height;
+        sheet.castShadow = sheet.receiveShadow = true;
+        scene.add(sheet);
+      }
+      const [light, target] = lampOf({ kind: 'DirectionalLight', position: [0.9, 0.35, 0.1] });
+      scene.add(light, target);
+      const shadows = new ExactShadows(renderer).add(scene);
+      const lookedUp = await rested(shadows, scene, camera);
+      compared[name] = { lookedUp, ...comparedWithRays(redOf(renderer), renderer, scene, camera, light) };
+      shadows.dispose();
+    }
+    return compared;
+  });
+  if (!page) return;
+  console.log(told);
+  for (const [name, { lookedUp, dark, beyond }] of Object.entries(told)) {
+    assert.equal(lookedUp, 1, name);
+    assert.ok(dark > 200 && beyond === 0, `${name}: ${beyond} wrong pixels beside ${dark} dark ones`);
+  }
+  await shared.check(page);
+});

@@ -101,13 +101,10 @@ export class Casters {
     return [...this.#prepared.values()].filter(({ number, ahead }) => number === null || ahead).length;
   }
 
-  /**
-   * Whether a followed mesh casts with all of its triangles, as lookups may assume. Clipped ones show
-   * their insides, which lookups must not take for the lit outsides beside them.
-   */
+  /** Whether a followed mesh casts with all of its triangles, as lookups may assume. */
   casts(mesh) {
     const had = this.#meshes.get(mesh);
-    return Boolean(had?.casts || had?.alphas[0]?.cutsOut) && had.clippings === unclipped;
+    return Boolean(had?.casts || had?.alphas[0]?.cutsOut);
   }
 
   /** Whether some meshes cast what their alpha leaves, where a light is looked up. */
