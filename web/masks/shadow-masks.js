@@ -121,7 +121,7 @@ export class ShadowMasks {
     const wraps = ['repeat', 'mirror', 'clamp'], numbers = Int32Array.from([width, height, wraps.indexOf(wrapS), wraps.indexOf(wrapT), filter === 'linear' ? 1 : 0]);
     if (numbers.includes(-1) || !['linear', 'nearest'].includes(filter)) throw new Error(`An alpha has the wraps '${wrapS}' and '${wrapT}' and the filter '${filter}': they are repeat, mirror or clamp, and linear or nearest.`);
     if (!(width > 0 && height > 0 && width * height === alpha.length)) throw new Error(`An alpha of ${width}x${height} texels has ${alpha.length} numbers.`);
-    return withCopies(this.#program, [Uint16Array.from(alpha), numbers], (addresses) => this.#numberOf(this.#masks.addTexels(...addresses)));
+    return withCopies(this.#program, [alpha instanceof Uint16Array ? alpha : Uint16Array.from(alpha), numbers], (addresses) => this.#numberOf(this.#masks.addTexels(...addresses)));
   }
 
   releaseTexels(number) {

@@ -161,6 +161,7 @@ test('what is not exact is told once, by name and reason', async () => {
     several.addGroup(0, 3, 0);
     several.addGroup(3, 3, 1);
     added('several', [white({ map, alphaTest }), white({ map, alphaTest: 0.3 })], several);
+    added('mixed', [white({ map, alphaTest }), white()], several);
     const [soft, target1] = lampOf({ kind: 'DirectionalLight', position: [0, 1, 0.1] });
     const [second, target2] = lampOf({ kind: 'DirectionalLight', position: [0.2, 1, 0.1] });
     soft.name = 'soft';
@@ -175,6 +176,7 @@ test('what is not exact is told once, by name and reason', async () => {
   assert.deepEqual([...reports].sort(), [
     "Alpha-tested mesh 'both' casts the shadow of its alphaMap alone, without its map's alpha.",
     "Alpha-tested mesh 'coloured' casts as if its vertices' alpha were 1.",
+    "Alpha-tested mesh 'mixed' casts whole triangles: only some of its materials are alpha-tested.",
     "Alpha-tested mesh 'several' is cut out as its first material: its materials have different alpha.",
     "Alpha-tested mesh 'target' casts nothing: its texture may change in every frame.",
     "Alpha-tested meshes do not cast what their alpha leaves in light 'second', which is not looked up: 1 lights are looked up at once.",

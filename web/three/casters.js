@@ -36,7 +36,9 @@ function roleOf(mesh, alphaTestedCast) {
   const cutsOut = Boolean(mesh.castShadow && alphaTestedCast.cutsOut && tested);
   if (!casts && !cutsOut && !mesh.receiveShadow) return null;
   const sides = new Set(materials.map(({ side }) => side));
-  return { ...made(casts, tested, materials[0].side, sides.size > 1), cutsOut };
+  const mixed = casts && !tested && alphaTestedCast.cutsOut && shown.some(isAlphaTested);
+  return { ...made(casts, tested, materials[0].side, sides.size > 1), cutsOut,
+    why: mixed && 'casts whole triangles: only some of its materials are alpha-tested' };
 }
 
 /** Why a mesh's alpha isn't cut out exactly, apart from its texture: a clause, or ''. */
@@ -85,7 +87,6 @@ export class Casters {
                          // upload}
   #meshes = new Map();   // three.js's mesh: the engine's record of it
   #problems = [];
-  #told = new WeakSet(); // meshes that were warned of
   #warnings;
   #cutsOut = false;
 
@@ -160,6 +161,7 @@ export class Casters {
     if (!had) this.#meshes.set(mesh, had = { key: null, ids: [], places: [], alphas: [], shown: null, clippings: unclipped });
     had.casts = role.casts;
     had.cutsOut = Boolean(role.cutsOut);
+    if (role.why) this.#warn(mesh, role.why);
     if (isPosed(mesh)) this.#pose(mesh, role, had);
     else this.#followShape(mesh, role, had);
     const { number: found = null, ahead } = this.#prepared.get(had.key) ?? {};
@@ -266,10 +268,8 @@ export class Casters {
 
   #clippingsOfAll(mesh) {
     const [first, ...others] = materialsOf(mesh).filter(isShown).map((material) => this.#clippings.of(material));
-    if (!this.#told.has(mesh) && others.some((other) => JSON.stringify(other) !== JSON.stringify(first))) {
-      this.#told.add(mesh);
-      console.warn(`The shadows of mesh '${mesh.name}' are clipped as its first material: its materials have different clipping planes.`);
-    }
+    if (others.some((other) => JSON.stringify(other) !== JSON.stringify(first)))
+      this.#warnings.warn(mesh, `The shadows of mesh '${mesh.name}' are clipped as its first material: its materials have different clipping planes.`);
     return first;
   }
 
@@ -285,12 +285,16 @@ export class Casters {
   #setAlpha(mesh, material, { ids, alphas, cutsOut }) {
     const alpha = this.#alphaTests.of(material, cutsOut);
     const why = cutsOut && !(alphas[0] && sameAlpha(alphas[0], alpha)) && (alpha.why || obstacleOf(mesh));
-    if (why) this.#warnings.warn(mesh, `Alpha-tested mesh '${mesh.name}' ${why}.`);
+    if (why) this.#warn(mesh, why);
     for (const [i, id] of ids.entries()) {
       if (alphas[i] && sameAlpha(alphas[i], alpha)) continue;
       this.#masks.setAlpha(id, alpha);
       alphas[i] = alpha;
     }
+  }
+
+  #warn(mesh, why) {
+    this.#warnings.warn(mesh, `Alpha-tested mesh '${mesh.name}' ${why}.`);
   }
 
   #drop(mesh) {

@@ -3,11 +3,14 @@
 import type { Camera, Light, Object3D, WebGLRenderer } from 'three';
 import type { MaskCost } from '../masks/shadow-masks.js';
 
+/** How alpha-tested meshes with castShadow cast: see ExactShadows.alphaTestedCast. */
+export type AlphaTestedCast = 'exact' | 'exact-or-whole' | 'whole' | 'none';
+
 export interface ExactShadowsOptions {
   /** Points of each light that has a radius, 1 to 4096. Default: 64. */
   lightSamples?: number;
-  /** See ExactShadows.alphaTestedCast. Default: true. */
-  alphaTestedCast?: boolean;
+  /** See ExactShadows.alphaTestedCast. Default: 'exact'. */
+  alphaTestedCast?: AlphaTestedCast;
   /**
    * Keeps all state of the context across the masks, which waits for pending draws; otherwise
    * renderer.resetState() is called after them. Default: false.
@@ -30,7 +33,7 @@ export interface ExactShadowsOptions {
  *
  * An alpha-tested surface (alphaTest, with the alpha of map or the green of alphaMap; with both,
  * alphaMap's) receives shadow where it is solid, and surfaces seen through its holes have their
- * own; see alphaTestedCast. See-through surfaces (transparent, alphaHash) cast none, whatever
+ * own. Where a light is looked up it also casts what its alpha leaves; see alphaTestedCast. See-through surfaces (transparent, alphaHash) cast none, whatever
  * castShadow says, and receive only the shadows of lights that are looked up.
  *
  * Clipping planes mean what they mean for three.js's maps: renderer.clippingPlanes and, with
@@ -43,10 +46,20 @@ export class ExactShadows {
 
   lightSamples: number;
   /**
-   * Whether alpha-tested meshes obey castShadow. They then cast whole triangles, as if they had no
-   * holes, because shadow volumes can't follow these. Otherwise they cast nothing.
+   * How alpha-tested meshes with castShadow cast:
+   *
+   * 'exact', the default: in lights that are looked up, what their alpha leaves; nothing in lights
+   * that move, have a radius, or are too many for `lookups`, as volumes can't follow holes.
+   * 'exact-or-whole': there they cast whole triangles.
+   * 'whole': whole triangles in all lights, as if they had no holes.
+   * 'none': nothing.
+   *
+   * Alpha is what the material samples at level 0 of its own texture, with its magFilter (nearest,
+   * else linear), wraps, transform and channel; mipmaps take no part. The texture is read back from
+   * the GPU once, and again when it changes. At most 4096 x 4096 texels; video and render targets cast
+   * nothing. The console names each mesh that isn't exact, once, with the reason.
    */
-  alphaTestedCast: boolean;
+  alphaTestedCast: AlphaTestedCast;
 
   /** Includes everything below an object from now on, including later additions. */
   add(object: Object3D): this;
