@@ -14,7 +14,7 @@ const highp float primitiveUnit = 1.0 / 16777216.0;
 // `position`: the fragment's, in the host's space; `error`: its error in units of a float's
 // rounding; `towardsEye`: from there, of any length; `normal`: the triangle's, of any length and on
 // either side; `casts`: all triangles there are in the map. Others are lit from behind, too.
-// Triangles have their fronts on the side that the map was told; glFrontFace() sees to mirrored ones.
+// gl_FrontFacing has to be true where the corners run counter-clockwise in the map's meshes.
 //
 // The point is moved off its own triangle by as much as rounding may have put it behind: towards
 // the light or, where eye and light are on different sides of the triangle and it may cast, away
