@@ -7,6 +7,8 @@
 //   PRIMITIVE_MAP_LONGEST      entries of the longest list, or more
 //   PRIMITIVE_MAP_CUTOUTS      where some triangles are alpha-tested; their textures are in a fourth
 //                              one then, or in the one table
+//   PRIMITIVE_MAP_TINTS        where some triangles are tinted: after primitiveMapLights() returned true,
+//                              primitiveTint is the share of light that these let through
 //   PRIMITIVE_MAP_ONE_TABLE    where the map is one texture (primitive_map_table.glsl) instead of
 //                              three (primitive_map_tables.glsl)
 #undef PRIMITIVE_DIRECTIONAL
@@ -45,6 +47,11 @@ highp float primitiveTolerance; // rounding error of such heights for points on 
 highp float primitiveMoved;     // how far the point was moved towards the light
 highp float primitiveReach;     // of the point's coordinates from a point light, 0..1
 
+#ifdef PRIMITIVE_MAP_TINTS
+highp vec3 primitiveTint;  // light that tinted triangles before the point let through, 0..1
+highp vec3 primitiveSides; // of the ray beside the last triangle's edges
+#endif
+
 // Whether the ray meets the triangle; `ray` is (x, y, 1) for a directional light, else the point.
 bool primitiveMeets(highp float record, highp vec3 ray, highp vec3 point) {
     highp vec4 a = primitiveRecord(3.0 * record);
@@ -56,10 +63,29 @@ bool primitiveMeets(highp float record, highp vec3 ray, highp vec3 point) {
     primitiveTolerance =
         (64.0 / 16777216.0) * (1.0 + (PRIMITIVE_DIRECTIONAL ? slope : primitiveReach * slope));
     // Neighbouring triangles compute the same products, up to their sign.
-    return a.x * ray.x + a.y * ray.y + a.z * ray.z >= 0.0 &&
-           b.x * ray.x + b.y * ray.y + b.z * ray.z >= 0.0 &&
-           c.x * ray.x + c.y * ray.y + c.z * ray.z >= 0.0;
+    highp vec3 sides = vec3(a.x * ray.x + a.y * ray.y + a.z * ray.z,
+                            b.x * ray.x + b.y * ray.y + b.z * ray.z,
+                            c.x * ray.x + c.y * ray.y + c.z * ray.z);
+#ifdef PRIMITIVE_MAP_TINTS
+    primitiveSides = sides;
+#endif
+    return sides.x >= 0.0 && sides.y >= 0.0 && sides.z >= 0.0;
 }
+
+#ifdef PRIMITIVE_MAP_TINTS
+// Whether the triangle, which primitiveMeets() has said the ray meets, is tinted. If it is before the
+// point, it takes its share of the light; a ray on an edge belongs to one of the two neighbours.
+bool primitiveIsTinted(highp float record) {
+    highp vec4 taken = primitiveRecord(3.0 * record + 3.0);
+    highp vec4 tint = primitiveRecord(3.0 * taken.w);
+    if (tint.w >= 0.0) return false;
+    bool met = (primitiveSides.x > 0.0 || taken.x > 0.5) &&
+               (primitiveSides.y > 0.0 || taken.y > 0.5) &&
+               (primitiveSides.z > 0.0 || taken.z > 0.5);
+    if (met && primitiveHeight > primitiveTolerance) primitiveTint = primitiveTint * tint.xyz;
+    return true;
+}
+#endif
 
 #ifdef PRIMITIVE_MAP_CUTOUTS
 #ifndef PRIMITIVE_MAP_ONE_TABLE
@@ -198,6 +224,9 @@ float primitiveListLength(bool casts) {
 // the point lies on, as far as rounding shows, the nearest is its own; others may be before it
 // (docs/method.md, C35).
 bool primitiveMapLights(highp vec3 point, bool casts) {
+#ifdef PRIMITIVE_MAP_TINTS
+    primitiveTint = vec3(1.0);
+#endif
     if (!findPrimitiveTexel(point)) return true;
     if (primitiveDepth > primitiveHeader.x) return false;
     if (primitiveListIsEmpty(casts)) return true;
@@ -207,13 +236,16 @@ bool primitiveMapLights(highp vec3 point, bool casts) {
     for (int i = 0; i < PRIMITIVE_MAP_LONGEST; ++i) {
         highp vec4 entry = primitiveEntry(list + float(i));
         highp float record = floor(entry.x);
-#ifdef PRIMITIVE_MAP_CUTOUTS
-        bool hasAlpha = entry.x < 0.0;
+#if defined(PRIMITIVE_MAP_CUTOUTS) || defined(PRIMITIVE_MAP_TINTS)
+        bool hasAlpha = entry.x < 0.0; // or a tint
         if (hasAlpha) record = -1.0 - record;
-        bool meets = primitiveMeets(record, primitiveRay, point) &&
-                     (!hasAlpha || primitiveIsSolid(record, primitiveRay));
-#else
+#endif
         bool meets = primitiveMeets(record, primitiveRay, point);
+#ifdef PRIMITIVE_MAP_TINTS
+        if (meets && hasAlpha) meets = !primitiveIsTinted(record);
+#endif
+#ifdef PRIMITIVE_MAP_CUTOUTS
+        if (meets && hasAlpha) meets = primitiveIsSolid(record, primitiveRay);
 #endif
         if (meets) {
             if (primitiveHeight > primitiveTolerance) return false;

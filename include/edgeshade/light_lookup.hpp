@@ -19,15 +19,20 @@ namespace edgeshade {
 /// 5. When ShadowMasks::isCurrent() returns false, draw masks, and start again once everything is
 ///    at rest.
 
-/// Limits of a map.
+/// Casters besides solid ones that a map may hold, and that the shader which samples it must know.
+struct LookupCasters {
+    bool cutouts = false; ///< meshes cast what their alpha leaves, as MaskAlpha::cutsOut says
+    bool tints = false;   ///< meshes tint the light, as ShadowMasks::setTint() says
+};
+
+/// Limits of a map, and its casters.
 struct LookupSettings {
     /// Texels along the map's edge, or along each of a point light's six faces: a power of 2, >= 4.
     /// This is an upper limit: with few casters the map has fewer.
     int size = 512;
     std::size_t mostBytes = std::size_t{64} << 20; ///< smaller maps are tried before giving up
-    /// Meshes whose MaskAlpha says so cast what their alpha leaves; otherwise whole triangles, if
-    /// they cast at all. The shader then needs lookupSource() with cutouts.
-    bool cutouts = false;
+    /// The shader needs lookupSource() with the same. Otherwise such meshes cast as in masks.
+    LookupCasters casters{};
 };
 
 /// The map of one light while it is built. Needs no GL. Copies share the same work. It may be
@@ -91,8 +96,9 @@ std::array<float, 16> mapFromView(const LightLookup& lookup, const Matrix16& vie
 /// 16.0 is enough for most.
 ///
 /// `prefix`: letters, digits and single underscores; with a prefix for each, one shader may query
-/// several lights. `cutouts`: also for maps with LookupSettings::cutouts. Throws
-/// std::runtime_error.
-std::string lookupSource(const std::string& prefix, bool cutouts = false);
+/// several lights. `casters`: those of the maps; all maps without them fit too. With tints there
+/// are also PREFIX_litColor() and PREFIX_litColorOn(), with the same arguments, which return the
+/// share of red, green and blue as a vec3. Throws std::runtime_error.
+std::string lookupSource(const std::string& prefix, LookupCasters casters = {});
 
 } // namespace edgeshade

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -43,6 +44,9 @@ struct MaskMesh {
     bool alphaTested = false;
     std::span<const float> texcoords =
         {}; ///< u, v per vertex, for alpha-tested meshes; empty: 0, 0
+    /// Whether masks show it. Otherwise they show what is behind it, as behind see-through surfaces,
+    /// and it only casts.
+    bool visible = true;
 };
 
 /// The alpha of a texture, texel by texel.
@@ -185,6 +189,11 @@ class ShadowMasks {
     /// Sets the alpha of an alpha-tested mesh, without rebuilding anything. Until it is set, and
     /// after change(), the mesh has no holes.
     void setAlpha(Id id, const MaskAlpha& alpha);
+    /// Makes a mesh tint the light in lookups that have tints (LookupCasters), whether or not it
+    /// casts in masks: each of its triangles lets this share of red, green and blue through, 0..1. A
+    /// ray counts a mesh whose triangles close it once. Empty: it isn't tinted. The tint stays when
+    /// the mesh is moved or changed.
+    void setTint(Id id, const std::optional<std::array<float, 3>>& tint);
     /// Moves a mesh, and keeps its shape.
     void move(Id id, const Matrix16& worldFromObject);
     /// Clips a mesh, by all of the clippings, in place of those before; up to mostClippingPlanes in

@@ -95,6 +95,16 @@ void CasterScene::setAlpha(Id id, const MaskAlpha& alpha) {
     if (slots_[id].mesh->alphaTested) gpu_->batches[id].alpha = lookupOf(alpha);
 }
 
+void CasterScene::setTint(Id id, const std::optional<std::array<float, 3>>& tint) {
+    requireKnown(id);
+    for (const float share : tint.value_or(std::array<float, 3>{}))
+        if (!(share >= 0.0f && share <= 1.0f))
+            throw InputError("A tint lets the share " + std::to_string(share) +
+                             " of light through, not 0 to 1.");
+    if (slots_[id].tint != tint) ++casterState_;
+    slots_[id].tint = tint;
+}
+
 AlphaLookup CasterScene::lookupOf(const MaskAlpha& alpha) const {
     AlphaLookup lookup;
     lookup.texture = alpha.texture != 0 ? alpha.texture : gpu_->textures.of({});
@@ -324,15 +334,17 @@ void CasterScene::upload() {
         batch.owns = owned.insert(batch.volumes.planePairs.get()).second;
 }
 
-std::vector<LookupTask::Caster> CasterScene::casters(bool cutouts) const {
+std::vector<LookupTask::Caster> CasterScene::casters(LookupCasters of) const {
     std::vector<LookupTask::Caster> all;
     for (std::size_t i = 0; i < slots_.size(); ++i) {
         const Slot& slot = slots_[i];
         if (slot.use != Slot::Use::mesh || !slot.casts()) continue;
         LookupTask::Caster& caster = all.emplace_back();
         caster.worldFromBatch = loaded_.scene.batches[i].worldFromBatch;
-        if (cutouts && slot.cutsOut())
-            caster.cutout = {slot.caster, slot.alpha};
+        if (of.tints && slot.tint)
+            caster.cutout = {slot.caster, {}, slot.tint};
+        else if (of.cutouts && slot.cutsOut())
+            caster.cutout = {slot.caster, slot.alpha, {}};
         else
             caster.shadow = slot.caster->shadow;
     }

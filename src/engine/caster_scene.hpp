@@ -34,6 +34,7 @@ class CasterScene {
     Id add(const PreparedMesh& mesh, const Matrix16& worldFromObject);
     void change(Id id, const PreparedMesh& mesh);
     void setAlpha(Id id, const MaskAlpha& alpha);
+    void setTint(Id id, const std::optional<std::array<float, 3>>& tint);
     void move(Id id, const Matrix16& worldFromObject);
     void setClippings(Id id, std::span<const MaskClipping> clippings);
     void remove(Id id);
@@ -49,9 +50,8 @@ class CasterScene {
     /// Fills in the layers of the view's lights.
     void fillLayers(FrameView& view);
 
-    /// All casters, in their places. `cutouts`: those that MaskAlpha cuts out are, otherwise they
-    /// are whole.
-    std::vector<LookupTask::Caster> casters(bool cutouts) const;
+    /// All casters, in their places; meshes that are cut out or tinted otherwise cast as in masks.
+    std::vector<LookupTask::Caster> casters(LookupCasters of) const;
     /// Changes whenever a caster changes or moves.
     std::size_t casterState() const { return casterState_; }
 
@@ -83,6 +83,7 @@ class CasterScene {
         std::shared_ptr<const PreparedMesh::Data> whole, caster, mesh;
         std::vector<MeshClip> clips; ///< those that cut casters come first
         MaskAlpha alpha;
+        std::optional<std::array<float, 3>> tint;
         Box own;                                 ///< of the whole mesh, in its space
         std::size_t changed = 0;                 ///< the draw() before which it last changed
         std::size_t patience = shortRest;        ///< draws that it has to rest before it is merged
@@ -90,7 +91,9 @@ class CasterScene {
         std::vector<std::size_t> members{};      ///< of a merged mesh
 
         bool cutsOut() const { return caster && caster->alphaTested && alpha.cutsOut; }
-        bool casts() const { return caster && (cutsOut() || !caster->shadow->caps.empty()); }
+        bool casts() const {
+            return caster && (tint || cutsOut() || !caster->shadow->caps.empty());
+        }
         bool isClipped() const { return mesh != whole; }
     };
     static constexpr std::size_t shortRest = 30, longRest = 3000;   // draws

@@ -33,8 +33,14 @@ CutoutTexture textureFrom(const MaskAlpha& alpha) {
 
 } // namespace
 
-std::uint32_t LookupWork::Data::textureFor(const MaskAlpha& alpha) {
+std::uint32_t LookupWork::Data::textureFor(const LookupTask::Cutout& cutout) {
     const auto next = static_cast<std::uint32_t>(textures.size());
+    const MaskAlpha& alpha = cutout.alpha;
+    if (cutout.tint) {
+        const auto [known, isNew] = tintOf.emplace(*cutout.tint, next);
+        if (isNew) textures.emplace_back().tint = glm::make_vec3(cutout.tint->data());
+        return known->second;
+    }
     const auto [known, isNew] =
         textureOf.emplace(std::pair(alpha.texels.get(), alpha.cutoff), next);
     if (isNew) textures.push_back(textureFrom(alpha));
@@ -43,13 +49,14 @@ std::uint32_t LookupWork::Data::textureFor(const MaskAlpha& alpha) {
 
 std::shared_ptr<const CasterEdges> LookupWork::Data::edgesOf(const LookupTask::Cutout& cutout) {
     const MaskAlpha& alpha = cutout.alpha;
-    const std::uint32_t texture = textureFor(alpha);
+    const std::uint32_t texture = textureFor(cutout);
     std::array<float, 10> numbers{alpha.opacity};
     std::copy_n(alpha.texcoordTransform.begin(), 9, numbers.begin() + 1);
     auto& of = cutoutEdges[{cutout.mesh.get(), texture, numbers}];
     if (of) return of;
     Batch batch;
     batch.geometry = cutout.mesh->geometry;
+    if (cutout.tint) return of = std::make_shared<const CasterEdges>(tintedEdgesOf(batch, texture));
     CasterEdges found = cutoutEdgesOf(batch, maskMaterials());
     const glm::dmat3 transform(glm::make_mat3(alpha.texcoordTransform.data()));
     for (CutoutTriangle& triangle : found.cutouts) {

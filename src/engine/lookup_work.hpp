@@ -12,10 +12,11 @@ namespace edgeshade {
 
 /// Input for building a light's map.
 struct LookupTask {
-    /// A mesh that casts what its alpha leaves.
+    /// A mesh that casts what its alpha leaves, or tints the light.
     struct Cutout {
         std::shared_ptr<const PreparedMesh::Data> mesh; ///< only its geometry counts
         MaskAlpha alpha;
+        std::optional<std::array<float, 3>> tint;
     };
     struct Caster {
         /// Its caps are the casting triangles. Null: `cutout` casts instead.
@@ -42,8 +43,8 @@ struct LookupWork::Data {
     /// The edges of a caster, found once for all that share them.
     std::shared_ptr<const CasterEdges> edgesOf(const LookupTask::Caster& caster);
     std::shared_ptr<const CasterEdges> edgesOf(const LookupTask::Cutout& cutout);
-    /// The number of a cutout's texture in `textures`.
-    std::uint32_t textureFor(const MaskAlpha& alpha);
+    /// The number of a cutout's texture, or tint, in `textures`.
+    std::uint32_t textureFor(const LookupTask::Cutout& cutout);
 
     LookupTask task;
     std::size_t casterState = 0; ///< state of the casters when `task` was recorded
@@ -56,6 +57,7 @@ struct LookupWork::Data {
              std::shared_ptr<const CasterEdges>>
         cutoutEdges = {};
     std::map<std::pair<const MaskTexels*, float>, std::uint32_t> textureOf = {};
+    std::map<std::array<float, 3>, std::uint32_t> tintOf = {};
     CutoutTextures textures = {}; ///< by the numbers of `textureOf`
     std::vector<PlacedCasters> placed = {};
     std::optional<FittingMap> fitting = {};

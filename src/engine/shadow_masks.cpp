@@ -204,6 +204,10 @@ void ShadowMasks::setAlpha(Id id, const MaskAlpha& alpha) {
     impl_->drawing->casters.setAlpha(id, alpha);
 }
 
+void ShadowMasks::setTint(Id id, const std::optional<std::array<float, 3>>& tint) {
+    impl_->drawing->casters.setTint(id, tint);
+}
+
 void ShadowMasks::move(Id id, const Matrix16& worldFromObject) {
     impl_->drawing->casters.move(id, worldFromObject);
 }
@@ -263,7 +267,7 @@ LookupWork ShadowMasks::lookupWork(const MaskLight& light, const LookupSettings&
             "A map of " + std::to_string(settings.size) +
             " texels along its edge can't be made: the size must be a power of 2, at least 4.");
     LookupTask task{
-        lightsOf({&light, 1}).front(), settings, drawing.casters.casters(settings.cutouts), {}};
+        lightsOf({&light, 1}).front(), settings, drawing.casters.casters(settings.casters), {}};
     task.why = drawing.lookups.obstacle(task.light);
     return workOn(std::move(task), drawing.casters.casterState());
 }

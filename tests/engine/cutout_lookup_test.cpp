@@ -121,8 +121,8 @@ class Host {
         }
     }
 
-    Judged judge(const Light& light, HostPicture::Language language = {false, true, true},
-                 const LookupSettings& settings = {512, std::size_t{64} << 20, true}) {
+    Judged judge(const Light& light, HostPicture::Language language = {false, true, {true}},
+                 const LookupSettings& settings = {512, std::size_t{64} << 20, {true}}) {
         const MaskLight asked = hostLight(light);
         LookupWork work = masks.lookupWork(asked, settings);
         work.finish();
@@ -194,8 +194,8 @@ const std::vector<Light>& someLights() {
 }
 
 std::vector<HostPicture::Language> languages(const gl::Capabilities& has) {
-    std::vector<HostPicture::Language> known = {{false, true, true}, {false, false, true}};
-    if (has.version.starts_with("OpenGL ES 3")) known.push_back({true, true, true});
+    std::vector<HostPicture::Language> known = {{false, true, {true}}, {false, false, {true}}};
+    if (has.version.starts_with("OpenGL ES 3")) known.push_back({true, true, {true}});
     return known;
 }
 
@@ -241,7 +241,7 @@ TEST(CutoutLookup, OfManyMeshesOfOneTextureKeepsItOnce) {
     std::vector<Sheet> sheets(9, slanted({.texels = texels}));
     Host host(sheets);
     const MaskLight light = hostLight(someLights()[0]);
-    const LookupSettings settings{512, 2 * 256 * 256 * 2, true};
+    const LookupSettings settings{512, 2 * 256 * 256 * 2, {true}};
     LookupWork work = host.masks.lookupWork(light, settings);
     work.finish();
     EXPECT_EQ(host.masks.lookup(host.masks.addLookup(work)).why, "");
@@ -252,7 +252,7 @@ TEST(CutoutLookup, IsAskedFor) {
     const Light light = someLights()[0];
     for (const bool casts : {false, true}) {
         Host host({slanted({.texels = texels})}, casts);
-        const HostPicture::Language plain{false, true, false};
+        const HostPicture::Language plain{};
         const Judged without = host.judge(light, plain, {});
         EXPECT_GT(without.beyond, 100u) << "nothing, or whole triangles";
         EXPECT_EQ(host.judge(light).beyond, 0u);

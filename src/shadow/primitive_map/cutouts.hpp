@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -30,6 +31,9 @@ struct CutoutTexture {
     bool linear = true;  ///< filtered linearly; otherwise the nearest texel
     float cutoff = 0.5f; ///< alpha below it is a hole
     PackedAlpha own{};   ///< its alpha, for maps in one table; null: it is in the atlas
+    /// Its triangles are tinted instead: they let this share of red, green and blue through, each
+    /// 0..1.
+    std::optional<glm::vec3> tint{};
 };
 using CutoutTextures = std::vector<CutoutTexture>; ///< by material
 
