@@ -27,7 +27,7 @@ Matrix16 matrixAt(std::uintptr_t address) {
     return matrix;
 }
 
-/// `flags`, from the lowest bit: casts, double-sided, bends, alpha-tested.
+/// `flags`, from the lowest bit: casts, double-sided, bends, alpha-tested, visible.
 MaskMesh meshAt(std::uintptr_t positions, std::size_t floats, std::uintptr_t indices,
                 std::size_t count, std::uintptr_t texcoords, std::size_t texcoordFloats,
                 unsigned flags) {
@@ -37,7 +37,8 @@ MaskMesh meshAt(std::uintptr_t positions, std::size_t floats, std::uintptr_t ind
             .doubleSided = (flags & 2u) != 0,
             .bends = (flags & 4u) != 0,
             .alphaTested = (flags & 8u) != 0,
-            .texcoords = {at<float>(texcoords), texcoordFloats}};
+            .texcoords = {at<float>(texcoords), texcoordFloats},
+            .visible = (flags & 16u) != 0};
 }
 
 /// `numbers`: width, height, wraps along u and v (MaskTexels::Wrap), whether they are linear.
@@ -143,6 +144,14 @@ class PageMasks {
             masks().setAlpha(idOf(id), alpha);
         });
     }
+    /// A negative red: none.
+    bool setTint(int id, float red, float green, float blue) {
+        return done([&] {
+            std::optional<std::array<float, 3>> tint;
+            if (!(red < 0.0f)) tint = {red, green, blue};
+            masks().setTint(idOf(id), tint);
+        });
+    }
     bool move(int id, std::uintptr_t matrix) {
         return done([&] { masks().move(idOf(id), matrixAt(matrix)); });
     }
@@ -168,11 +177,13 @@ class PageMasks {
     }
 
     /// The input for LookupMaker; empty on failure.
-    emscripten::val lookupTask(std::uintptr_t light, int size, double mostBytes, bool cutouts) {
+    emscripten::val lookupTask(std::uintptr_t light, int size, double mostBytes, bool cutouts,
+                               bool tints) {
         bytes_ = {};
         done([&] {
-            bytes_ = taskToTransfer(masks().lookupWork(
-                lightAt(at<double>(light)), {size, static_cast<std::size_t>(mostBytes), cutouts}));
+            bytes_ = taskToTransfer(
+                masks().lookupWork(lightAt(at<double>(light)),
+                                   {size, static_cast<std::size_t>(mostBytes), {cutouts, tints}}));
         });
         return viewOf(bytes_);
     }
@@ -294,6 +305,7 @@ EMSCRIPTEN_BINDINGS(edgeshade_masks) {
         .function("addTexels", &PageMasks::addTexels)
         .function("releaseTexels", &PageMasks::releaseTexels)
         .function("setAlpha", &PageMasks::setAlpha)
+        .function("setTint", &PageMasks::setTint)
         .function("move", &PageMasks::move)
         .function("setClippings", &PageMasks::setClippings)
         .function("remove", &PageMasks::remove)

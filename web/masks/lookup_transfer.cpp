@@ -36,6 +36,8 @@ struct Place {
     std::size_t shape = none, mesh = none, texels = none;
     float opacity = 1.0f, cutoff = 0.5f;
     std::array<float, 9> texcoordTransform{};
+    bool tinted = false;
+    std::array<float, 3> tint{};
     glm::dmat4 worldFromBatch{1.0};
 };
 
@@ -75,10 +77,11 @@ Bytes taskToTransfer(const LookupWork& work) {
     Shared<MaskTexels> texels;
     std::vector<Place> places;
     for (const LookupTask::Caster& caster : data.task.casters) {
-        const auto& [mesh, alpha] = caster.cutout;
+        const auto& [mesh, alpha, tint] = caster.cutout;
         places.push_back({shapes.numberOf(caster.shadow.get()), meshes.numberOf(mesh.get()),
                           texels.numberOf(alpha.texels.get()), alpha.opacity, alpha.cutoff,
-                          alpha.texcoordTransform, caster.worldFromBatch});
+                          alpha.texcoordTransform, tint.has_value(),
+                          tint.value_or(std::array<float, 3>{}), caster.worldFromBatch});
     }
     std::size_t size = 4096 + places.size() * sizeof(Place);
     for (const PlanePairShadow* shape : shapes.all)
@@ -131,7 +134,8 @@ LookupWork taskFromTransfer(std::span<const std::uint8_t> bytes) {
                         .cutoff = place.cutoff,
                         .texcoordTransform = place.texcoordTransform};
         if (place.texels != none) alpha.texels = texels[place.texels];
-        caster.cutout = {meshes[place.mesh], std::move(alpha)};
+        caster.cutout = {meshes[place.mesh], std::move(alpha), {}};
+        if (place.tinted) caster.cutout.tint = place.tint;
     }
     return LookupWork(std::move(data));
 }

@@ -29,6 +29,11 @@ export interface MaskMesh {
   alphaTested?: boolean;
   /** u, v per vertex; for alpha-tested meshes. Default: 0, 0. */
   texcoords?: ArrayLike<number>;
+  /**
+   * Whether masks show it. Otherwise they show what is behind it, as behind see-through surfaces, and
+   * it only casts. Default: true.
+   */
+  visible?: boolean;
 }
 
 /** The alpha of a texture, texel by texel; it is copied. */
@@ -144,6 +149,8 @@ export interface LookupOptions {
    * lookupSource() with `cutouts`, too. Default: false.
    */
   cutouts?: boolean;
+  /** Meshes tint the light as setTint() says, likewise. Default: false. */
+  tints?: boolean;
   /** Cancels the work. */
   signal?: AbortSignal;
 }
@@ -183,9 +190,10 @@ export interface LightLookup {
  * where its corners run counter-clockwise, mirrored or not. It uses derivatives: in GLSL ES 1.00
  * enable GL_OES_standard_derivatives and define EDGESHADE_DERIVATIVES before it, or call
  * `PREFIX_litOn(position, towardsEye, normal, 16.0, casts)` with the triangle's own normal.
- * `cutouts`: for maps with LookupOptions.cutouts, too. Default: false.
+ * `cutouts`, `tints`: for maps with these LookupOptions, too; default: false. With `tints` there are
+ * also PREFIX_litColor() and PREFIX_litColorOn(), which return the share of red, green and blue.
  */
-export function lookupSource(prefix: string, options?: { cutouts?: boolean }): string;
+export function lookupSource(prefix: string, options?: { cutouts?: boolean; tints?: boolean }): string;
 
 /** All methods throw an Error whose message is a sentence. */
 export class ShadowMasks {
@@ -215,6 +223,12 @@ export class ShadowMasks {
   releaseTexels(texels: number): void;
   /** For an alpha-tested mesh, which has no holes until this is set, nor after change(). */
   setAlpha(id: number, alpha: MaskAlpha): void;
+  /**
+   * Makes a mesh tint the light in lookups with `tints`, whether or not it casts in masks: the share of
+   * red, green and blue that each of its triangles lets through, 0 to 1. A ray counts a mesh whose
+   * triangles close it once. Null: it isn't tinted. It stays when the mesh is moved or changed.
+   */
+  setTint(id: number, tint: [number, number, number] | null): void;
   move(id: number, worldFromObject: Matrix): void;
   /**
    * Clips a mesh by all of these, in place of those before; at most 12 planes. They stay when it is

@@ -137,6 +137,11 @@ export class ShadowMasks {
       this.#require(this.#masks.setAlpha(id, name, channel === 'green', address, cutsOut, texels ?? -1))));
   }
 
+  /** Makes a mesh tint the light in lookups: [red, green, blue] that it lets through; null: none. */
+  setTint(id, tint) {
+    this.#require(this.#masks.setTint(id, ...(tint ?? [-1, 0, 0])));
+  }
+
   move(id, matrix) {
     this.#withMatrices(matrix, (address) => this.#require(this.#masks.move(id, address)));
   }

@@ -3,16 +3,21 @@
 import { BackSide, DoubleSide, Matrix4 } from 'three';
 import { alphaTestedCasting, isAlphaTested, sameAlpha, texcoordsNameOf } from './alpha-tests.js';
 import { unclipped } from './clippings.js';
+import { isSeeThrough, requireTransparentCast, tintObstacleOf, tintOf } from './see-through.js';
 import { isPosed, poseOf, sameNumbers, shapeOf, texcoordsOf, versionsOf } from './mesh-shape.js';
 
 /** Up to this many triangles edges are found immediately, well within a frame. */
 const fewTriangles = 500;
 
 const materialsOf = (mesh) => [mesh.material].flat().filter(Boolean);
-/**
- * Whether masks can show a material: behind see-through and dithered surfaces others are visible.
- */
-const isShown = (material) => material.visible && !material.alphaHash && (!material.transparent || material.isShadowMaterial);
+/** Whether masks can show a material. */
+const isShown = (material) => material.visible && !isSeeThrough(material);
+
+/** The materials that decide how a mesh casts: solid ones, or, without these, see-through ones. */
+function castingMaterials(mesh) {
+  const seen = materialsOf(mesh).filter(({ visible }) => visible), solid = seen.filter(isShown);
+  return solid.length ? solid : seen;
+}
 
 const place = new Matrix4(), instance = new Matrix4();
 
@@ -20,30 +25,32 @@ const place = new Matrix4(), instance = new Matrix4();
  * How the mask engine treats a mesh; null: not at all. With several materials, alpha tests count if
  * all of them have one.
  */
-function roleOf(mesh, alphaTestedCast) {
+function roleOf(mesh, alphaTestedCast, transparentCast) {
   if (!mesh.geometry?.attributes?.position) return null;
   const { material } = mesh;
   if (!Array.isArray(material) && material && !isAlphaTested(material)) {
     // As below, without garbage.
-    if (!isShown(material) || (!mesh.castShadow && !mesh.receiveShadow)) return null;
+    if (!material.visible || (!mesh.castShadow && !mesh.receiveShadow)) return null;
+    if (isSeeThrough(material)) return mesh.castShadow ? seeThroughRoles[transparentCast](material.side, [material]) : null;
     return plainRole(Boolean(mesh.castShadow), material.side);
   }
   const materials = materialsOf(mesh);
-  const shown = materials.filter(isShown);
-  if (shown.length === 0) return null;
+  const shown = castingMaterials(mesh), solid = shown.length > 0 && isShown(shown[0]);
+  if (shown.length === 0 || (!solid && !mesh.castShadow)) return null;
   const tested = shown.every(isAlphaTested) ? shown[0] : null;
+  if (!solid && !tested) return seeThroughRoles[transparentCast](materials[0].side, shown);
   const casts = Boolean(mesh.castShadow && (alphaTestedCast.whole || !tested));
   const cutsOut = Boolean(mesh.castShadow && alphaTestedCast.cutsOut && tested);
-  if (!casts && !cutsOut && !mesh.receiveShadow) return null;
+  if (!casts && !cutsOut && !(mesh.receiveShadow && solid)) return null;
   const sides = new Set(materials.map(({ side }) => side));
-  const mixed = casts && !tested && alphaTestedCast.cutsOut && shown.some(isAlphaTested);
-  return { ...made(casts, tested, materials[0].side, sides.size > 1), cutsOut,
-    why: mixed && 'casts whole triangles: only some of its materials are alpha-tested' };
+  const why = casts && !tested && ((alphaTestedCast.cutsOut && shown.some(isAlphaTested) && 'casts whole triangles: only some of its materials are alpha-tested') ||
+    (solid && materials.some((material) => material.visible && isSeeThrough(material)) && 'casts as if all of its materials were solid: only some are see-through'));
+  return { ...made(casts, tested, materials[0].side, sides.size > 1, solid), cutsOut, why };
 }
 
 /** Why a mesh's alpha isn't cut out exactly, apart from its texture: a clause, or ''. */
 function obstacleOf(mesh) {
-  const shown = materialsOf(mesh).filter(isShown);
+  const shown = castingMaterials(mesh);
   const textures = ({ map, alphaMap, alphaTest, opacity }) => [map, alphaMap, alphaTest, opacity].map((value) => value?.uuid ?? value).join();
   if (shown.some((material) => textures(material) !== textures(shown[0]))) return 'is cut out as its first material: its materials have different alpha';
   if (shown[0].vertexColors && mesh.geometry.attributes.color?.itemSize === 4) return "casts as if its vertices' alpha were 1";
@@ -51,10 +58,17 @@ function obstacleOf(mesh) {
 }
 
 /** A role and its key. */
-function made(casts, tested, side, mixed) {
+function made(casts, tested, side, mixed, visible = true) {
   const texcoords = tested && texcoordsNameOf(tested), inward = side === BackSide, doubleSided = mixed || side === DoubleSide;
-  return { casts, tested, texcoords, doubleSided, inward, key: `${casts} ${doubleSided} ${inward} ${texcoords}` };
+  return { casts, tested, texcoords, doubleSided, inward, visible, key: `${casts} ${doubleSided} ${inward} ${visible} ${texcoords}` };
 }
+
+/** Roles of see-through meshes that cast, by transparentCast. */
+const seeThroughRoles = {
+  none: () => null,
+  opaque: (side) => made(true, null, side, false, false),
+  tint: (side, materials) => ({ ...made(false, null, side, false, false), tinting: materials }),
+};
 
 const plainRoles = []; // by whether they cast, and side
 
@@ -89,6 +103,7 @@ export class Casters {
   #problems = [];
   #warnings;
   #cutsOut = false;
+  #tints = false;
 
   constructor(masks, alphaTests, clippings, warnings) {
     this.#masks = masks;
@@ -113,6 +128,11 @@ export class Casters {
     return this.#cutsOut;
   }
 
+  /** Whether some meshes tint the light, where it is looked up. */
+  get tints() {
+    return this.#tints;
+  }
+
   /** Resolves when nothing is pending; throws any error since the last call. */
   async settled() {
     while (this.#waiting.length) await Promise.allSettled(this.#waiting.map(({ promise }) => promise));
@@ -124,15 +144,18 @@ export class Casters {
   }
 
   /** Makes the engine have exactly these meshes in their current state, except those whose edges
-   * are still being found. `alphaTestedCast`: a choice of alphaTestedCasting(). */
-  follow(meshes, alphaTestedCast) {
+   * are still being found. `alphaTestedCast`, `transparentCast`: as in
+   * ExactShadows. */
+  follow(meshes, alphaTestedCast, transparentCast) {
+    requireTransparentCast(transparentCast);
     const seen = new Set(), casting = alphaTestedCasting(alphaTestedCast);
-    this.#cutsOut = false;
+    this.#cutsOut = this.#tints = false;
     for (const mesh of meshes) {
-      const role = roleOf(mesh, casting);
+      const role = roleOf(mesh, casting, transparentCast);
       if (!role) continue;
       seen.add(mesh);
       this.#cutsOut ||= Boolean(role.cutsOut);
+      this.#tints ||= Boolean(role.tinting);
       this.#followOne(mesh, role);
     }
     for (const mesh of [...this.#meshes.keys()]) if (!seen.has(mesh)) this.#drop(mesh);
@@ -149,7 +172,7 @@ export class Casters {
 
   /** Called when the engine has lost everything added to it. */
   forget() {
-    for (const had of this.#meshes.values()) Object.assign(had, { ids: [], places: [], alphas: [], shown: null });
+    for (const had of this.#meshes.values()) Object.assign(had, { ids: [], places: [], alphas: [], tints: [], shown: null });
   }
 
   clear() {
@@ -158,16 +181,17 @@ export class Casters {
 
   #followOne(mesh, role) {
     let had = this.#meshes.get(mesh);
-    if (!had) this.#meshes.set(mesh, had = { key: null, ids: [], places: [], alphas: [], shown: null, clippings: unclipped });
+    if (!had) this.#meshes.set(mesh, had = { key: null, ids: [], places: [], alphas: [], tints: [], shown: null, clippings: unclipped });
     had.casts = role.casts;
     had.cutsOut = Boolean(role.cutsOut);
-    if (role.why) this.#warn(mesh, role.why);
+    if (role.why) this.#warn(mesh, `Mesh '${mesh.name}' ${role.why}.`);
     if (isPosed(mesh)) this.#pose(mesh, role, had);
     else this.#followShape(mesh, role, had);
     const { number: found = null, ahead } = this.#prepared.get(had.key) ?? {};
     if (found === null || ahead) return;
     this.#clip(mesh, had);
     this.#place(mesh, found, had);
+    if (role.tinting || had.tints.length) this.#setTint(mesh, role.tinting, had);
     if (role.tested) this.#setAlpha(mesh, role.tested, had);
   }
 
@@ -230,8 +254,8 @@ export class Casters {
     this.#prepareNow({ ...this.#shapeOf(mesh, role), bends: true }, entry);
   }
 
-  #shapeOf(mesh, { casts, tested, texcoords, doubleSided, inward }) {
-    const shape = { ...shapeOf(mesh), casts, doubleSided };
+  #shapeOf(mesh, { casts, tested, texcoords, doubleSided, inward, visible }) {
+    const shape = { ...shapeOf(mesh), casts, doubleSided, visible };
     if (inward) shape.indices.reverse();
     return tested ? { ...shape, alphaTested: true, texcoords: texcoordsOf(mesh, texcoords) } : shape;
   }
@@ -241,7 +265,7 @@ export class Casters {
     const places = number < 0 ? [] : placesOf(mesh).filter(Boolean);
     const ids = had.ids;
     while (ids.length > places.length) this.#masks.remove(ids.pop());
-    had.alphas.length = Math.min(had.alphas.length, ids.length);
+    for (const of of [had.alphas, had.tints]) of.length = Math.min(of.length, ids.length);
     for (const [i, matrix] of places.entries()) {
       if (i >= ids.length) {
         ids.push(this.#masks.add(number, matrix));
@@ -267,9 +291,9 @@ export class Casters {
   }
 
   #clippingsOfAll(mesh) {
-    const [first, ...others] = materialsOf(mesh).filter(isShown).map((material) => this.#clippings.of(material));
+    const [first, ...others] = castingMaterials(mesh).map((material) => this.#clippings.of(material));
     if (others.some((other) => JSON.stringify(other) !== JSON.stringify(first)))
-      this.#warnings.warn(mesh, `The shadows of mesh '${mesh.name}' are clipped as its first material: its materials have different clipping planes.`);
+      this.#warn(mesh, `The shadows of mesh '${mesh.name}' are clipped as its first material: its materials have different clipping planes.`);
     return first;
   }
 
@@ -285,7 +309,7 @@ export class Casters {
   #setAlpha(mesh, material, { ids, alphas, cutsOut }) {
     const alpha = this.#alphaTests.of(material, cutsOut);
     const why = cutsOut && !(alphas[0] && sameAlpha(alphas[0], alpha)) && (alpha.why || obstacleOf(mesh));
-    if (why) this.#warn(mesh, why);
+    if (why) this.#warn(mesh, `Alpha-tested mesh '${mesh.name}' ${why}.`);
     for (const [i, id] of ids.entries()) {
       if (alphas[i] && sameAlpha(alphas[i], alpha)) continue;
       this.#masks.setAlpha(id, alpha);
@@ -293,8 +317,20 @@ export class Casters {
     }
   }
 
-  #warn(mesh, why) {
-    this.#warnings.warn(mesh, `Alpha-tested mesh '${mesh.name}' ${why}.`);
+  /** Sets the tint of all instances, if it has changed. `materials`: see-through ones, or none. */
+  #setTint(mesh, materials, { ids, tints }) {
+    const tint = materials ? tintOf(materials[0]) : null;
+    for (const [i, id] of ids.entries()) {
+      if (tint ? tints[i] && sameNumbers(tints[i], tint) : !tints[i]) continue;
+      this.#masks.setTint(id, tint);
+      tints[i] = tint;
+    }
+    const why = materials && tintObstacleOf(mesh, materials);
+    if (why) this.#warn(mesh, `See-through mesh '${mesh.name}' ${why}.`);
+  }
+
+  #warn(mesh, sentence) {
+    this.#warnings.warn(mesh, sentence);
   }
 
   #drop(mesh) {

@@ -10,6 +10,7 @@ import { MaskTextures } from './mask-textures.js';
 import { MaterialPatches } from './material-patch.js';
 import { RestingLights } from './resting-lights.js';
 import { castingLights } from './scene-lights.js';
+import { requireTransparentCast } from './see-through.js';
 import { TexelReading } from './texel-reading.js';
 import { Warnings } from './warnings.js';
 
@@ -88,15 +89,17 @@ export class ExactShadows {
     this.#lost = false;
   };
 
-  constructor(renderer, { lightSamples = 64, alphaTestedCast = 'exact', keepsState = false, lookups = 1 } = {}) {
+  constructor(renderer, { lightSamples = 64, alphaTestedCast = 'exact', transparentCast = 'none', keepsState = false, lookups = 1 } = {}) {
     if (!renderer?.isWebGLRenderer) throw new Error('ExactShadows needs a WebGLRenderer of three.js.');
     const context = renderer.getContext();
     if (typeof WebGL2RenderingContext === 'undefined' || !(context instanceof WebGL2RenderingContext))
       throw new Error('ExactShadows needs a renderer that draws with WebGL 2.');
     alphaTestedCasting(alphaTestedCast); // throws if there is no such choice
+    requireTransparentCast(transparentCast);
     this.#renderer = renderer;
     this.lightSamples = lightSamples;
     this.alphaTestedCast = alphaTestedCast;
+    this.transparentCast = transparentCast;
     this.#keepsState = keepsState;
     this.#mostLookedUp = Math.min(lookups, mostSlots);
     this.#textures = new MaskTextures(renderer);
@@ -256,8 +259,8 @@ export class ExactShadows {
     const { lights, meshes } = visibleOf(scene, camera, within ? new Set([scene]) : this.#roots);
     if (!this.#lost) {
       this.#texels?.advance();
-      this.#casters?.follow(meshes, this.alphaTestedCast);
-      if (this.#casters?.cutsOut) this.#patches.addCutouts();
+      this.#casters?.follow(meshes, this.alphaTestedCast, this.transparentCast);
+      this.#patches.lookFor({ cutouts: this.#casters?.cutsOut, tints: this.#casters?.tints });
     }
     const receiving = new Map(); // by material: whether all meshes with it cast
     for (const mesh of meshes) {
@@ -274,17 +277,17 @@ export class ExactShadows {
     this.#resting.most = this.#patches.slots;
     const maps = this.#resting.follow(lights.map((numbers, i) => ({ light: sources[i], numbers })), this.#casters.pending === 0 && !this.#texels.waits);
     this.#lookedUp = maps.filter(Boolean).length;
-    if (this.#casters.cutsOut) this.#warnOfLights(lights, sources, maps);
+    if (this.#casters.cutsOut || this.#casters.tints) this.#warnOfLights(lights, sources, maps);
     return maps;
   }
 
-  /** Warns of lights that are not looked up, not even at rest: masks have no cutouts. */
+  /** Warns of lights that are not looked up, not even at rest: masks have neither cutouts nor tints. */
   #warnOfLights(lights, sources, maps) {
     const whys = this.notLookedUp, most = Math.min(this.#mostLookedUp, this.#patches.slots);
     for (const [i, light] of sources.entries()) {
       if (maps[i]) continue;
       const why = whys.get(light) ?? (lights[i].radius > 0 ? 'it has a radius' : this.#lookedUp >= most && `${most} lights are looked up at once`);
-      if (why) this.#warnings.warn(light, `Alpha-tested meshes do not cast what their alpha leaves in light '${light.name}', which is not looked up: ${why}.`);
+      if (why) this.#warnings.warn(light, `Light '${light.name}' lacks the shadows of cutouts and tints, as it is not looked up: ${why}.`);
     }
   }
 

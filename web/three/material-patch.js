@@ -2,6 +2,7 @@
 
 import { MathUtils, ShaderChunk } from 'three';
 import { declarations, lightsWithMasks, shadowMask } from './lit.glsl.js';
+import { isSeeThrough } from './see-through.js';
 
 const lightsBegin = '#include <lights_fragment_begin>';
 const lightsDeclared = '#include <lights_pars_begin>';
@@ -14,12 +15,6 @@ const otherTextures = 6;
 
 const isLit = (material) => Boolean(material.isMeshStandardMaterial || material.isMeshLambertMaterial ||
   material.isMeshPhongMaterial || material.isMeshToonMaterial);
-
-/**
- * Whether masks show a material's surfaces: behind see-through and dithered ones others are
- * visible.
- */
-const isMasked = (material) => Boolean(material.isShadowMaterial) || !(material.transparent || material.alphaHash);
 
 /** Whether casting lights light a material. */
 export const takesShadow = (material) => Boolean(material.isShadowMaterial) || isLit(material);
@@ -39,9 +34,9 @@ function withPosition(shader) {
   shader.fragmentShader = `${varying}\n${shader.fragmentShader}`;
 }
 
-function withShadows(source, material, slots, cutouts) {
-  const seeThrough = isMasked(material) ? '' : '#define EDGESHADE_SEE_THROUGH\n';
-  const text = source.replace(lightsDeclared, (found) => `${found}\n${seeThrough}${declarations(slots, cutouts)}`);
+function withShadows(source, material, slots, casters) {
+  const seeThrough = isSeeThrough(material) ? '#define EDGESHADE_SEE_THROUGH\n' : '';
+  const text = source.replace(lightsDeclared, (found) => `${found}\n${seeThrough}${declarations(slots, casters)}`);
   if (!material.isShadowMaterial) return text.replace(lightsBegin, () => lightsWithMasks(ShaderChunk.lights_fragment_begin));
   const main = text.indexOf(maskDeclared) + maskDeclared.length;
   return `${text.slice(0, main)}\n${shadowMask}${text.slice(main).replaceAll('getShadowMask()', 'edgeshadeMask()')}`;
@@ -58,7 +53,7 @@ export class MaterialPatches {
   #mostTextures;
   #most;
   #slots;
-  #cutouts = false;
+  #casters = { cutouts: false, tints: false }; // that programs can look up
 
   /** `uniforms`: for declarations(), in three.js's form, shared by all materials;
    * `mostTextures`: limit per program; `most`: lights' maps at once. */
@@ -73,10 +68,10 @@ export class MaterialPatches {
     return this.#slots;
   }
 
-  /** From now on programs can look cutouts up, which compiles all of them again. */
-  addCutouts() {
-    if (this.#cutouts) return;
-    this.#cutouts = true;
+  /** From now on programs can look these casters up, too; new ones compile all programs again. */
+  lookFor({ cutouts, tints }) {
+    if ((!cutouts || this.#casters.cutouts) && (!tints || this.#casters.tints)) return;
+    this.#casters = { cutouts: Boolean(this.#casters.cutouts || cutouts), tints: Boolean(this.#casters.tints || tints) };
     for (const reference of this.#alive) {
       const material = reference.deref();
       if (material) material.needsUpdate = true;
@@ -99,17 +94,17 @@ export class MaterialPatches {
     const reference = new WeakRef(material);
     this.#alive.add(reference);
     this.#gone.register(material, reference);
-    const key = `${this.#key} ${slots}`, cutouts = () => this.#cutouts;
+    const key = `${this.#key} ${slots}`, casters = () => this.#casters;
     material.onBeforeCompile = function (shader, renderer) {
       onBeforeCompile.call(this, shader, renderer);
       Object.assign(shader.uniforms, uniforms);
-      shader.fragmentShader = withShadows(shader.fragmentShader, this, slots, cutouts());
+      shader.fragmentShader = withShadows(shader.fragmentShader, this, slots, casters());
       if (this.isShadowMaterial) withPosition(shader);
     };
     // three.js's own key is the text of onBeforeCompile, which is now the patch's.
     const before = own ? null : onBeforeCompile.toString();
     material.customProgramCacheKey = function () {
-      return `${key} ${cutouts()} ${isMasked(this)} ${before ?? customProgramCacheKey.call(this)}`;
+      return `${key} ${Object.values(casters())} ${isSeeThrough(this)} ${before ?? customProgramCacheKey.call(this)}`;
     };
     material.needsUpdate = true;
   }

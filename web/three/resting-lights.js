@@ -67,7 +67,7 @@ export class RestingLights {
     const abort = new AbortController();
     entry.abort = abort;
     try {
-      const id = await this.#masks.buildLookup(numbers, { cutouts: true, signal: abort.signal });
+      const id = await this.#masks.buildLookup(numbers, { cutouts: true, tints: true, signal: abort.signal });
       if (id === null) return;
       if (this.#entries.get(light) === entry && !abort.signal.aborted) entry.id = id;
       else this.#masks.removeLookup(id);
