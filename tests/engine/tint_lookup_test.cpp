@@ -1,5 +1,6 @@
 // A host's tinted meshes multiply the light by what each of them lets through, where a light is
 // looked up: a floor beneath them, judged by rays in double precision.
+#include "src/engine/lookup_work.hpp"
 #include "tests/engine/host_picture.hpp"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -172,12 +173,51 @@ TEST(TintLookup, IsTheProductOfAllPanesOnTheWay) {
         }
 }
 
-TEST(TintLookup, CountsAPaneOnceOnTheDiagonalOfItsTriangles) {
-    // Rows of points lie exactly on the diagonals, as the light sees them.
-    Host host({{{-1, 1, -1}, {1, 1, 1}, {{0.5f, 0.5f, 0.25f}}},
-               {{-1, 1.5f, -1}, {1, 2, 1}, {{0.5f, 1.0f, 1.0f}}}});
-    for (const Light& light : {sun({0, 1, 0}), pointLight({0, 4, 0})})
-        EXPECT_EQ(host.judge(light).beyond, 0u);
+/// A tinted triangle's record in a host's table.
+struct TintedRecord {
+    std::array<glm::vec3, 3> edges;
+    std::array<bool, 3> takes; ///< rays on an edge are its own
+};
+
+std::vector<TintedRecord> recordsOf(const PackedPrimitiveMap& map) {
+    std::vector<TintedRecord> found;
+    for (std::size_t at = map.begins[1]; at < map.count;) {
+        const glm::vec4* texels = &map.texels[at];
+        if (texels[0].w == -1.0f) { // a tint
+            at += 3;
+            continue;
+        }
+        found.push_back({{glm::vec3(texels[0]), glm::vec3(texels[1]), glm::vec3(texels[2])},
+                         {texels[3].x > 0.5f, texels[3].y > 0.5f, texels[3].z > 0.5f}});
+        at += 6;
+    }
+    return found;
+}
+
+TEST(TintLookup, GivesRaysOnAnEdgeToOneOfItsTriangles) {
+    const Pane pane{{-1, 1, -1}, {1, 1, 1}, {{0.5f, 0.5f, 0.25f}}};
+    const Scene scene = pane.scene();
+    const gl::HeadlessContext context({hostWidth, hostHeight});
+    ShadowMasks masks(eglLookUp);
+    MaskMesh mesh = test::meshOf(geometryOf(scene));
+    mesh.casts = false;
+    masks.setTint(masks.add(mesh), pane.tint);
+    for (const Light& light :
+         {sun({0.1, 1, 0.2}), sun({0.1, -1, 0.2}), pointLight({0.2, 1.6, 0.1})}) {
+        LookupWork work =
+            masks.lookupWork(hostLight(light), {512, std::size_t{64} << 20, {false, true}});
+        work.finish();
+        const std::vector<TintedRecord> records = recordsOf(work.data()->built.map);
+        ASSERT_EQ(records.size(), 2u) << work.data()->built.why;
+        std::size_t shared = 0;
+        for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t j = 0; j < 3; ++j)
+                if (records[0].edges[i] == -records[1].edges[j]) {
+                    ++shared;
+                    EXPECT_NE(records[0].takes[i], records[1].takes[j]);
+                }
+        EXPECT_EQ(shared, 1u);
+    }
 }
 
 TEST(TintLookup, OfASolidThatTheLightIsInIsThatOfLeaving) {
