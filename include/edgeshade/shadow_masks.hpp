@@ -25,10 +25,10 @@ namespace edgeshade {
 ///
 /// ShadowMasks draws its own depth. Alpha-tested surfaces (MaskMesh::alphaTested) receive shadow
 /// where they are opaque, and surfaces seen through their holes have their own shadow. In masks
-/// they cast whole triangles, or nothing; in lookups also what their alpha leaves. Leave out
-/// see-through surfaces: masks have one surface a pixel. All calls need the context, and create
-/// textures and buffers in it. All throw std::runtime_error with a full sentence, and have then
-/// changed nothing.
+/// they cast whole triangles, or nothing; in lookups also what their alpha leaves. See-through
+/// surfaces are invisible (MaskMesh::visible), as masks have one surface a pixel; lookups may tint
+/// light by them. All calls need the context, and create textures and buffers in it. All throw
+/// std::runtime_error with a full sentence, and have then changed nothing.
 
 /// Triangles that move together. The spans are not kept after the call.
 struct MaskMesh {
@@ -44,8 +44,8 @@ struct MaskMesh {
     bool alphaTested = false;
     std::span<const float> texcoords =
         {}; ///< u, v per vertex, for alpha-tested meshes; empty: 0, 0
-    /// Whether masks show it. Otherwise they show what is behind it, as behind see-through surfaces,
-    /// and it only casts.
+    /// Whether masks show it. Otherwise they show what is behind it, as behind see-through
+    /// surfaces, and it only casts.
     bool visible = true;
 };
 
@@ -190,9 +190,9 @@ class ShadowMasks {
     /// after change(), the mesh has no holes.
     void setAlpha(Id id, const MaskAlpha& alpha);
     /// Makes a mesh tint the light in lookups that have tints (LookupCasters), whether or not it
-    /// casts in masks: each of its triangles lets this share of red, green and blue through, 0..1. A
-    /// ray counts a mesh whose triangles close it once. Empty: it isn't tinted. The tint stays when
-    /// the mesh is moved or changed.
+    /// casts in masks: each of its triangles lets this share of red, green and blue through, 0..1.
+    /// A ray counts a mesh whose triangles close it once. Empty: it isn't tinted. The tint stays
+    /// when the mesh is moved or changed.
     void setTint(Id id, const std::optional<std::array<float, 3>>& tint);
     /// Moves a mesh, and keeps its shape.
     void move(Id id, const Matrix16& worldFromObject);

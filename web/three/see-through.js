@@ -16,7 +16,7 @@ export function tintOf({ color, opacity, transparent, alphaHash, transmission = 
   return ['r', 'g', 'b'].map((name) => Math.min(Math.max((color?.[name] ?? 1) * through, 0), 1) || 0);
 }
 
-/** What else would tint a mesh's light: a clause, or ''. */
+/** Why a mesh doesn't tint exactly: a clause, or ''. */
 export function tintObstacleOf({ geometry }, materials) {
   if (materials.some((material) => `${tintOf(material)}` !== `${tintOf(materials[0])}`)) return 'tints as its first material';
   const { map, alphaMap, transmissionMap, vertexColors, attenuationDistance = Infinity, thickness = 0 } = materials[0];
