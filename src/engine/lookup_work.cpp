@@ -2,7 +2,6 @@
 
 #include "preprocess/base/stopwatch.hpp"
 
-#include <algorithm>
 #include <glm/gtc/type_ptr.hpp>
 
 namespace edgeshade {
@@ -31,48 +30,55 @@ CutoutTexture textureFrom(const MaskAlpha& alpha) {
     return texture;
 }
 
-} // namespace
-
-std::uint32_t LookupWork::Data::textureFor(const LookupTask::Cutout& cutout) {
-    const auto next = static_cast<std::uint32_t>(textures.size());
-    const MaskAlpha& alpha = cutout.alpha;
-    if (cutout.tint) {
-        const auto [known, isNew] = tintOf.emplace(*cutout.tint, next);
-        if (isNew) textures.emplace_back().tint = glm::make_vec3(cutout.tint->data());
-        return known->second;
-    }
-    const auto [known, isNew] =
-        textureOf.emplace(std::pair(alpha.texels.get(), alpha.cutoff), next);
-    if (isNew) textures.push_back(textureFrom(alpha));
-    return known->second;
-}
-
-std::shared_ptr<const CasterEdges> LookupWork::Data::edgesOf(const LookupTask::Cutout& cutout) {
-    const MaskAlpha& alpha = cutout.alpha;
-    const std::uint32_t texture = textureFor(cutout);
-    std::array<float, 10> numbers{alpha.opacity};
-    std::copy_n(alpha.texcoordTransform.begin(), 9, numbers.begin() + 1);
-    auto& of = cutoutEdges[{cutout.mesh.get(), texture, numbers}];
-    if (of) return of;
+CasterEdges edgesFor(const PreparedMesh::Data& mesh, const LookupWork::Data::Look& look) {
     Batch batch;
-    batch.geometry = cutout.mesh->geometry;
-    if (cutout.tint) return of = std::make_shared<const CasterEdges>(tintedEdgesOf(batch, texture));
+    batch.geometry = mesh.geometry;
+    if (look.tint) return tintedEdgesOf(batch, look.texture);
     CasterEdges found = cutoutEdgesOf(batch, maskMaterials());
-    const glm::dmat3 transform(glm::make_mat3(alpha.texcoordTransform.data()));
+    const glm::dmat3 transform(glm::make_mat3(look.alpha.texcoordTransform.data()));
     for (CutoutTriangle& triangle : found.cutouts) {
-        triangle.material = texture;
+        triangle.material = look.texture;
         for (glm::vec3& corner : triangle.corners)
             corner = glm::vec3(glm::dvec2(transform * glm::dvec3(glm::vec2(corner), 1.0)),
-                               alpha.opacity);
+                               look.alpha.opacity);
     }
-    return of = std::make_shared<const CasterEdges>(std::move(found));
+    return found;
+}
+
+} // namespace
+
+std::size_t LookupWork::Data::lookOf(const LookupTask::Cutout& cutout) {
+    const MaskAlpha& alpha = cutout.alpha;
+    auto texture = static_cast<std::uint32_t>(textures.size());
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+        const Look& look = looks[i];
+        if (look.tint != cutout.tint || look.alpha.texels != alpha.texels ||
+            look.alpha.cutoff != alpha.cutoff)
+            continue;
+        texture = look.texture;
+        if (look.alpha.opacity == alpha.opacity &&
+            look.alpha.texcoordTransform == alpha.texcoordTransform)
+            return i;
+    }
+    if (texture == textures.size()) {
+        textures.push_back(textureFrom(alpha));
+        if (cutout.tint) textures.back().tint = glm::make_vec3(cutout.tint->data());
+    }
+    looks.push_back({alpha, cutout.tint, texture});
+    return looks.size() - 1;
 }
 
 std::shared_ptr<const CasterEdges> LookupWork::Data::edgesOf(const LookupTask::Caster& caster) {
-    if (!caster.shadow) return edgesOf(caster.cutout);
-    auto& of = edges[caster.shadow.get()];
-    if (!of) of = std::make_shared<const CasterEdges>(casterEdgesOf(*caster.shadow));
-    return of;
+    if (caster.shadow) {
+        auto& solid = edges[{caster.shadow.get(), ~std::size_t{0}}];
+        if (!solid) solid = std::make_shared<const CasterEdges>(casterEdgesOf(*caster.shadow));
+        return solid;
+    }
+    const std::size_t look = lookOf(caster.cutout);
+    auto& cutout = edges[{caster.cutout.mesh.get(), look}];
+    if (!cutout)
+        cutout = std::make_shared<const CasterEdges>(edgesFor(*caster.cutout.mesh, looks[look]));
+    return cutout;
 }
 
 bool LookupWork::Data::step() {

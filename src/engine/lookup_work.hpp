@@ -6,7 +6,6 @@
 #include "src/scene/packed_primitive_map.hpp"
 
 #include <map>
-#include <tuple>
 
 namespace edgeshade {
 
@@ -42,23 +41,25 @@ struct LookupWork::Data {
     bool step();
     /// The edges of a caster, found once for all that share them.
     std::shared_ptr<const CasterEdges> edgesOf(const LookupTask::Caster& caster);
-    std::shared_ptr<const CasterEdges> edgesOf(const LookupTask::Cutout& cutout);
-    /// The number of a cutout's texture, or tint, in `textures`.
-    std::uint32_t textureFor(const LookupTask::Cutout& cutout);
+    /// The number of a cutout's look in `looks`.
+    std::size_t lookOf(const LookupTask::Cutout& cutout);
+
+    /// How cutouts look that may be of several meshes.
+    struct Look {
+        MaskAlpha alpha;
+        std::optional<std::array<float, 3>> tint;
+        std::uint32_t texture; ///< its number in `textures`
+    };
 
     LookupTask task;
     std::size_t casterState = 0; ///< state of the casters when `task` was recorded
     BuiltLookup built;
     bool done = false, taken = false;
 
-    std::map<const PlanePairShadow*, std::shared_ptr<const CasterEdges>> edges = {};
-    /// Cutouts by mesh, texture, and the numbers of their alpha, which casters may share.
-    std::map<std::tuple<const PreparedMesh::Data*, std::uint32_t, std::array<float, 10>>,
-             std::shared_ptr<const CasterEdges>>
-        cutoutEdges = {};
-    std::map<std::pair<const MaskTexels*, float>, std::uint32_t> textureOf = {};
-    std::map<std::array<float, 3>, std::uint32_t> tintOf = {};
-    CutoutTextures textures = {}; ///< by the numbers of `textureOf`
+    /// Edges by mesh, and by the number of its look; solid meshes have none.
+    std::map<std::pair<const void*, std::size_t>, std::shared_ptr<const CasterEdges>> edges = {};
+    std::vector<Look> looks = {};
+    CutoutTextures textures = {};
     std::vector<PlacedCasters> placed = {};
     std::optional<FittingMap> fitting = {};
 };

@@ -41,20 +41,20 @@ struct Place {
     glm::dmat4 worldFromBatch{1.0};
 };
 
-/// Values that casters share, numbered by first use.
-template <class T>
-class Shared {
+/// Numbers of values that casters share, by first use; a null pointer has none.
+class Numbers {
   public:
-    std::size_t numberOf(const T* value) {
+    /// `all`: the values so far, to which a new one is added.
+    template <class T>
+    std::size_t of(const std::shared_ptr<const T>& value, std::vector<const T*>& all) {
         if (!value) return none;
-        const auto [known, isNew] = numbers_.emplace(value, all.size());
-        if (isNew) all.push_back(value);
+        const auto [known, isNew] = numbers_.emplace(value.get(), all.size());
+        if (isNew) all.push_back(value.get());
         return known->second;
     }
-    std::vector<const T*> all;
 
   private:
-    std::map<const T*, std::size_t> numbers_;
+    std::map<const void*, std::size_t> numbers_;
 };
 
 /// Reads as many values as its number says; `take(value)` keeps each.
@@ -72,34 +72,35 @@ void readAll(Reader& reader, Take take) {
 
 Bytes taskToTransfer(const LookupWork& work) {
     const LookupWork::Data& data = *work.data();
-    Shared<PlanePairShadow> shapes;
-    Shared<PreparedMesh::Data> meshes;
-    Shared<MaskTexels> texels;
+    Numbers numbers;
+    std::vector<const PlanePairShadow*> shapes;
+    std::vector<const PreparedMesh::Data*> meshes;
+    std::vector<const MaskTexels*> texels;
     std::vector<Place> places;
     for (const LookupTask::Caster& caster : data.task.casters) {
         const auto& [mesh, alpha, tint] = caster.cutout;
-        places.push_back({shapes.numberOf(caster.shadow.get()), meshes.numberOf(mesh.get()),
-                          texels.numberOf(alpha.texels.get()), alpha.opacity, alpha.cutoff,
+        places.push_back({numbers.of(caster.shadow, shapes), numbers.of(mesh, meshes),
+                          numbers.of(alpha.texels, texels), alpha.opacity, alpha.cutoff,
                           alpha.texcoordTransform, tint.has_value(),
                           tint.value_or(std::array<float, 3>{}), caster.worldFromBatch});
     }
     std::size_t size = 4096 + places.size() * sizeof(Place);
-    for (const PlanePairShadow* shape : shapes.all)
+    for (const PlanePairShadow* shape : shapes)
         size += shape->caps.size() * sizeof(CapRecord) + sizeof size;
-    for (const MaskTexels* of : texels.all)
+    for (const MaskTexels* of : texels)
         size += of->alpha.size() * sizeof(std::uint16_t) + 64;
     Bytes bytes;
     bytes.reserve(size);
     Writer writer(bytes);
     transferStart(writer, data);
-    writer(places, shapes.all.size());
-    for (const PlanePairShadow* shape : shapes.all)
+    writer(places, shapes.size());
+    for (const PlanePairShadow* shape : shapes)
         writer(shape->caps);
-    writer(meshes.all.size());
-    for (const PreparedMesh::Data* mesh : meshes.all)
+    writer(meshes.size());
+    for (const PreparedMesh::Data* mesh : meshes)
         writer(*mesh->geometry);
-    writer(texels.all.size());
-    for (const MaskTexels* of : texels.all)
+    writer(texels.size());
+    for (const MaskTexels* of : texels)
         writer(*of);
     return bytes;
 }
