@@ -5,7 +5,10 @@
 //                              six tiles; neither: one of one tile
 //   PRIMITIVE_MAP_ANY_LIGHT    neither of these: a uniform says which
 //   PRIMITIVE_MAP_LONGEST      entries of the longest list, or more
-//   PRIMITIVE_MAP_CUTOUTS      where some triangles are alpha-tested; there is a fourth texture then
+//   PRIMITIVE_MAP_CUTOUTS      where some triangles are alpha-tested; their textures are in a fourth
+//                              one then, or in the one table
+//   PRIMITIVE_MAP_TINTS        where some triangles are tinted: after primitiveMapLights() returned true,
+//                              primitiveTint is the share of light that these let through
 //   PRIMITIVE_MAP_ONE_TABLE    where the map is one texture (primitive_map_table.glsl) instead of
 //                              three (primitive_map_tables.glsl)
 #undef PRIMITIVE_DIRECTIONAL
@@ -44,6 +47,11 @@ highp float primitiveTolerance; // rounding error of such heights for points on 
 highp float primitiveMoved;     // how far the point was moved towards the light
 highp float primitiveReach;     // of the point's coordinates from a point light, 0..1
 
+#ifdef PRIMITIVE_MAP_TINTS
+highp vec3 primitiveTint;  // light that tinted triangles before the point let through, 0..1
+highp vec3 primitiveSides; // of the ray beside the last triangle's edges
+#endif
+
 // Whether the ray meets the triangle; `ray` is (x, y, 1) for a directional light, else the point.
 bool primitiveMeets(highp float record, highp vec3 ray, highp vec3 point) {
     highp vec4 a = primitiveRecord(3.0 * record);
@@ -55,14 +63,35 @@ bool primitiveMeets(highp float record, highp vec3 ray, highp vec3 point) {
     primitiveTolerance =
         (64.0 / 16777216.0) * (1.0 + (PRIMITIVE_DIRECTIONAL ? slope : primitiveReach * slope));
     // Neighbouring triangles compute the same products, up to their sign.
-    return a.x * ray.x + a.y * ray.y + a.z * ray.z >= 0.0 &&
-           b.x * ray.x + b.y * ray.y + b.z * ray.z >= 0.0 &&
-           c.x * ray.x + c.y * ray.y + c.z * ray.z >= 0.0;
+    highp vec3 sides = vec3(a.x * ray.x + a.y * ray.y + a.z * ray.z,
+                            b.x * ray.x + b.y * ray.y + b.z * ray.z,
+                            c.x * ray.x + c.y * ray.y + c.z * ray.z);
+#ifdef PRIMITIVE_MAP_TINTS
+    primitiveSides = sides;
+#endif
+    return sides.x >= 0.0 && sides.y >= 0.0 && sides.z >= 0.0;
 }
 
+#ifdef PRIMITIVE_MAP_TINTS
+// Whether the triangle, which primitiveMeets() has said the ray meets, is tinted. If it is before the
+// point, it takes its share of the light; a ray on an edge belongs to one of the two neighbours.
+bool primitiveIsTinted(highp float record) {
+    highp vec4 taken = primitiveRecord(3.0 * record + 3.0);
+    highp vec4 tint = primitiveRecord(3.0 * taken.w);
+    if (tint.w >= 0.0) return false;
+    bool met = (primitiveSides.x > 0.0 || taken.x > 0.5) &&
+               (primitiveSides.y > 0.0 || taken.y > 0.5) &&
+               (primitiveSides.z > 0.0 || taken.z > 0.5);
+    if (met && primitiveHeight > primitiveTolerance) primitiveTint = primitiveTint * tint.xyz;
+    return true;
+}
+#endif
+
 #ifdef PRIMITIVE_MAP_CUTOUTS
+#ifndef PRIMITIVE_MAP_ONE_TABLE
 uniform mediump sampler2D u_primitiveAlpha; // all cutouts' textures, sampled texel by texel
 uniform highp vec2 u_primitiveAlphaTexel;   // 1 / its size
+#endif
 
 // The texel of a row that a place beyond it wraps to; `wrap`: CutoutWrap.
 highp float wrappedTexel(highp float place, highp float size, highp float wrap) {
@@ -76,7 +105,20 @@ highp float wrappedTexel(highp float place, highp float size, highp float wrap) 
 highp float cutoutTexel(highp vec2 place, highp vec4 rectangle, highp vec4 how) {
     highp vec2 texel = vec2(wrappedTexel(place.x, rectangle.z, how.y),
                             wrappedTexel(place.y, rectangle.w, how.z));
+#ifdef PRIMITIVE_MAP_ONE_TABLE
+    // Eight to a texel, twelve bits each: PackedAlpha in src/shadow/primitive_map.
+    highp float index = texel.y * rectangle.z + texel.x;
+    highp float within = floor(index * 0.125);
+    highp vec4 eight = primitiveRecord(rectangle.x + within);
+    within = index - 8.0 * within;
+    highp vec2 pairs = within < 4.0 ? eight.xy : eight.zw;
+    within = within < 4.0 ? within : within - 4.0;
+    highp float two = within < 2.0 ? pairs.x : pairs.y;
+    highp float second = floor(two / 4096.0);
+    return (within == 1.0 || within == 3.0 ? second : two - 4096.0 * second) / 4080.0;
+#else
     return texture2D(u_primitiveAlpha, (vec2(rectangle.x, rectangle.y) + texel + vec2(0.5)) * u_primitiveAlphaTexel).x;
+#endif
 }
 
 highp float cutoutAlpha(highp vec2 uv, highp vec4 rectangle, highp vec4 how) {
@@ -182,6 +224,9 @@ float primitiveListLength(bool casts) {
 // the point lies on, as far as rounding shows, the nearest is its own; others may be before it
 // (docs/method.md, C35).
 bool primitiveMapLights(highp vec3 point, bool casts) {
+#ifdef PRIMITIVE_MAP_TINTS
+    primitiveTint = vec3(1.0);
+#endif
     if (!findPrimitiveTexel(point)) return true;
     if (primitiveDepth > primitiveHeader.x) return false;
     if (primitiveListIsEmpty(casts)) return true;
@@ -191,13 +236,16 @@ bool primitiveMapLights(highp vec3 point, bool casts) {
     for (int i = 0; i < PRIMITIVE_MAP_LONGEST; ++i) {
         highp vec4 entry = primitiveEntry(list + float(i));
         highp float record = floor(entry.x);
-#ifdef PRIMITIVE_MAP_CUTOUTS
-        bool hasAlpha = entry.x < 0.0;
+#if defined(PRIMITIVE_MAP_CUTOUTS) || defined(PRIMITIVE_MAP_TINTS)
+        bool hasAlpha = entry.x < 0.0; // or a tint
         if (hasAlpha) record = -1.0 - record;
-        bool meets = primitiveMeets(record, primitiveRay, point) &&
-                     (!hasAlpha || primitiveIsSolid(record, primitiveRay));
-#else
+#endif
         bool meets = primitiveMeets(record, primitiveRay, point);
+#ifdef PRIMITIVE_MAP_TINTS
+        if (meets && hasAlpha) meets = !primitiveIsTinted(record);
+#endif
+#ifdef PRIMITIVE_MAP_CUTOUTS
+        if (meets && hasAlpha) meets = primitiveIsSolid(record, primitiveRay);
 #endif
         if (meets) {
             if (primitiveHeight > primitiveTolerance) return false;

@@ -5,6 +5,12 @@
 namespace edgeshade::web {
 
 template <class Archive>
+void transfer(Archive& archive, Maybe<CutoutTexture> auto& texture) {
+    archive(texture.place, texture.size, texture.wrapS, texture.wrapT, texture.linear,
+            texture.cutoff, texture.own);
+}
+
+template <class Archive>
 void transfer(Archive& archive, Maybe<PrimitiveMapTask> auto& task) {
     auto& settings = task.settings;
     archive(task.light, task.castersReceive, settings.size, settings.mostBytes, settings.splitAbove,

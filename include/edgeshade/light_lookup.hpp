@@ -20,7 +20,13 @@ namespace edgeshade {
 ///    counts them on top: the light reaches a fragment if both sun_lit() and the mask let it. Once
 ///    the lookup no longer holds, draw masks of all casters, and start again.
 
-/// Limits of a map.
+/// Casters besides solid ones that a map may hold, and that the shader which samples it must know.
+struct LookupCasters {
+    bool cutouts = false; ///< meshes cast what their alpha leaves, as MaskAlpha::cutsOut says
+    bool tints = false;   ///< meshes tint the light, as ShadowMasks::setTint() says
+};
+
+/// Limits of a map, and its casters.
 struct LookupSettings {
     /// Texels along the map's edge, or along each of a point light's six faces: a power of 2, >= 4.
     /// This is an upper limit: with few casters the map has fewer.
@@ -29,6 +35,8 @@ struct LookupSettings {
     /// Casters that have moved or changed are left out of the map until they have rested for so
     /// many milliseconds; 0: all casters are in it.
     double restMs = 500.0;
+    /// The shader needs lookupSource() with the same. Otherwise such meshes cast as in masks.
+    LookupCasters casters{};
 };
 
 /// The map of one light while it is built. Needs no GL. Copies share the same work. It may be
@@ -101,7 +109,9 @@ std::array<float, 16> mapFromView(const LightLookup& lookup, const Matrix16& vie
 /// 16.0 is enough for most.
 ///
 /// `prefix`: letters, digits and single underscores; with a prefix for each, one shader may query
-/// several lights. Throws std::runtime_error.
-std::string lookupSource(const std::string& prefix);
+/// several lights. `casters`: those of the maps; all maps without them fit too. With tints there
+/// are also PREFIX_litColor() and PREFIX_litColorOn(), with the same arguments, which return the
+/// share of red, green and blue as a vec3. Throws std::runtime_error.
+std::string lookupSource(const std::string& prefix, LookupCasters casters = {});
 
 } // namespace edgeshade

@@ -7,8 +7,10 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
 namespace edgeshade {
 
@@ -22,10 +24,11 @@ namespace edgeshade {
 ///    gl_FragCoord.xy / size.
 ///
 /// ShadowMasks draws its own depth. Alpha-tested surfaces (MaskMesh::alphaTested) receive shadow
-/// where they are opaque, and surfaces seen through their holes have their own shadow. They cast
-/// whole triangles, or nothing. Leave out see-through surfaces: masks have one surface a pixel. All
-/// calls need the context, and create textures and buffers in it. All throw std::runtime_error with
-/// a full sentence, and have then changed nothing.
+/// where they are opaque, and surfaces seen through their holes have their own shadow. In masks
+/// they cast whole triangles, or nothing; in lookups also what their alpha leaves. See-through
+/// surfaces are invisible (MaskMesh::visible), as masks have one surface a pixel; lookups may tint
+/// light by them. All calls need the context, and create textures and buffers in it. All throw
+/// std::runtime_error with a full sentence, and have then changed nothing.
 
 /// Triangles that move together. The spans are not kept after the call.
 struct MaskMesh {
@@ -41,6 +44,21 @@ struct MaskMesh {
     bool alphaTested = false;
     std::span<const float> texcoords =
         {}; ///< u, v per vertex, for alpha-tested meshes; empty: 0, 0
+    /// Whether masks show it. Otherwise they show what is behind it, as behind see-through
+    /// surfaces, and it only casts.
+    bool visible = true;
+};
+
+/// The alpha of a texture, texel by texel.
+struct MaskTexels {
+    enum class Wrap { repeat, mirror, clamp };
+    static constexpr int full = 4080; ///< an alpha of 1: 16 times that of 8 bits
+    static constexpr std::size_t most = std::size_t{1} << 24; ///< texels
+
+    int width = 0, height = 0;
+    std::vector<std::uint16_t> alpha; ///< 0..full; rows from v = 0 on
+    Wrap wrapS = Wrap::repeat, wrapT = Wrap::repeat;
+    bool linear = true; ///< filtered linearly between texels; otherwise the nearest
 };
 
 /// Alpha of an alpha-tested mesh: `opacity` times the texture's.
@@ -54,6 +72,12 @@ struct MaskAlpha {
     float cutoff = 0.5f; ///< alpha below it is a hole
     /// Column-major; maps (u, v, 1) to the texture coordinates of the sample.
     std::array<float, 9> texcoordTransform = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    /// In lookups that have cutouts, the mesh casts what its alpha leaves, whether or not it
+    /// `casts` in masks.
+    bool cutsOut = false;
+    /// For `cutsOut`: the texture's texels, which lookups filter as they are, without mipmaps.
+    /// Null: alpha is `opacity` everywhere.
+    std::shared_ptr<const MaskTexels> texels = {};
 };
 
 /// Planes that clip a mesh.
@@ -176,6 +200,11 @@ class ShadowMasks {
     /// Sets the alpha of an alpha-tested mesh, without rebuilding anything. Until it is set, and
     /// after change(), the mesh has no holes.
     void setAlpha(Id id, const MaskAlpha& alpha);
+    /// Makes a mesh tint the light in lookups that have tints (LookupCasters), whether or not it
+    /// casts in masks: each of its triangles lets this share of red, green and blue through, 0..1.
+    /// A ray counts a mesh whose triangles close it once. Empty: it isn't tinted. The tint stays
+    /// when the mesh is moved or changed.
+    void setTint(Id id, const std::optional<std::array<float, 3>>& tint);
     /// Moves a mesh, and keeps its shape.
     void move(Id id, const Matrix16& worldFromObject);
     /// Clips a mesh, by all of the clippings, in place of those before; up to mostClippingPlanes in

@@ -40,6 +40,13 @@ bool primitiveLitOn(highp vec3 position, highp vec3 towardsEye, highp vec3 norma
     return primitiveMapLights(point, casts && gl_FrontFacing); // backs test lit sheets (C34)
 }
 
+#ifdef PRIMITIVE_MAP_TINTS
+// The share of the light that reaches the fragment, by colour.
+highp vec3 primitiveLitColorOn(highp vec3 position, highp vec3 towardsEye, highp vec3 normal, highp float error, bool casts) {
+    return primitiveLitOn(position, towardsEye, normal, error, casts) ? primitiveTint : vec3(0.0);
+}
+#endif
+
 // Error of an interpolated position, estimated from its change between pixels: rasterisers may
 // compute it starting at the picture's corner.
 highp float primitiveLitError(highp vec3 position, highp vec3 along, highp vec3 up) {
@@ -55,4 +62,9 @@ bool primitiveLit(highp vec3 position, highp vec3 towardsEye, bool casts) {
     highp vec3 along = dFdx(position), up = dFdy(position);
     return primitiveLitOn(position, towardsEye, cross(along, up), primitiveLitError(position, along, up), casts);
 }
+#ifdef PRIMITIVE_MAP_TINTS
+highp vec3 primitiveLitColor(highp vec3 position, highp vec3 towardsEye, bool casts) {
+    return primitiveLit(position, towardsEye, casts) ? primitiveTint : vec3(0.0);
+}
+#endif
 #endif

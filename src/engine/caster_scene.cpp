@@ -22,6 +22,25 @@ glm::dmat4 placeOf(const Matrix16& numbers) {
     return place;
 }
 
+void requireTexels(const MaskTexels& texels) {
+    const auto along = [](int size) { return static_cast<std::size_t>(std::max(size, 0)); };
+    const std::size_t count = along(texels.width) * along(texels.height);
+    const std::string size = std::to_string(texels.width) + "x" + std::to_string(texels.height);
+    if (count == 0 || count > MaskTexels::most)
+        throw InputError("An alpha has " + size + " texels, not 1 to " +
+                         std::to_string(MaskTexels::most) + ".");
+    if (texels.alpha.size() != count)
+        throw InputError("An alpha of " + size + " texels has " +
+                         std::to_string(texels.alpha.size()) + " numbers.");
+}
+
+/// Whether two alphas cut the same mesh out in the same way.
+bool cutAlike(const MaskAlpha& a, const MaskAlpha& b) {
+    if (!a.cutsOut || !b.cutsOut) return a.cutsOut == b.cutsOut;
+    return a.texels == b.texels && a.opacity == b.opacity && a.cutoff == b.cutoff &&
+           a.texcoordTransform == b.texcoordTransform;
+}
+
 } // namespace
 
 CasterScene::CasterScene(SidesLayout layout, const gl::Capabilities& capabilities)
@@ -71,8 +90,22 @@ void CasterScene::setAlpha(Id id, const MaskAlpha& alpha) {
             throw InputError("An alpha's transform has a number that is not finite.");
     if (!std::isfinite(alpha.opacity) || !std::isfinite(alpha.cutoff))
         throw InputError("An alpha has an opacity or a cutoff that is not finite.");
+    if (alpha.texels) requireTexels(*alpha.texels);
+    const bool alike = cutAlike(slots_[id].alpha, alpha);
     slots_[id].alpha = alpha;
+    if (!alike) casterChanged(id);
     if (slots_[id].mesh->alphaTested) gpu_->batches[id].alpha = lookupOf(alpha);
+}
+
+void CasterScene::setTint(Id id, const std::optional<std::array<float, 3>>& tint) {
+    requireKnown(id);
+    for (const float share : tint.value_or(std::array<float, 3>{}))
+        if (!(share >= 0.0f && share <= 1.0f))
+            throw InputError("A tint lets the share " + std::to_string(share) +
+                             " of light through, not 0 to 1.");
+    if (slots_[id].tint == tint) return;
+    slots_[id].tint = tint;
+    casterChanged(id);
 }
 
 AlphaLookup CasterScene::lookupOf(const MaskAlpha& alpha) const {
@@ -322,12 +355,20 @@ bool CasterScene::hasCasters() const {
     return false;
 }
 
-CasterScene::Casters CasterScene::resting(double restMs) const {
+CasterScene::Casters CasterScene::resting(double restMs, LookupCasters of) const {
     Casters all;
     for (std::size_t i = 0; i < slots_.size(); ++i) {
-        if (!isCaster(i) || slots_[i].rest.moves(restMs)) continue;
-        all.casters.push_back({slots_[i].caster->shadow, loaded_.scene.batches[i].worldFromBatch});
-        all.held.push_back({i, slots_[i].rest.version});
+        const Slot& slot = slots_[i];
+        if (!isCaster(i) || slot.rest.moves(restMs)) continue;
+        all.held.push_back({i, slot.rest.version});
+        LookupTask::Caster& caster = all.casters.emplace_back();
+        caster.worldFromBatch = loaded_.scene.batches[i].worldFromBatch;
+        if (of.tints && slot.tint)
+            caster.cutout = {slot.caster, {}, slot.tint};
+        else if (of.cutouts && slot.cutsOut())
+            caster.cutout = {slot.caster, slot.alpha, {}};
+        else
+            caster.shadow = slot.caster->shadow;
     }
     return all;
 }

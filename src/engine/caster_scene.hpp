@@ -36,6 +36,7 @@ class CasterScene {
     Id add(const PreparedMesh& mesh, const Matrix16& worldFromObject);
     void change(Id id, const PreparedMesh& mesh);
     void setAlpha(Id id, const MaskAlpha& alpha);
+    void setTint(Id id, const std::optional<std::array<float, 3>>& tint);
     void move(Id id, const Matrix16& worldFromObject);
     void setClippings(Id id, std::span<const MaskClipping> clippings);
     void remove(Id id);
@@ -57,8 +58,9 @@ class CasterScene {
         std::vector<LookupTask::Caster> casters;
         std::vector<HeldCaster> held; ///< the same ones
     };
-    /// All casters except movers: those that have moved, and have rested less than `restMs`.
-    Casters resting(double restMs) const;
+    /// All casters except movers: those that have moved, and have rested less than `restMs`. Meshes
+    /// that are cut out or tinted otherwise cast as in masks.
+    Casters resting(double restMs, LookupCasters of) const;
     /// Compares the casters in a map with the present ones, as in ShadowMasks::state().
     LookupState compare(std::span<const HeldCaster> held, double restMs) const;
     /// Changes whenever a caster changes or moves.
@@ -100,6 +102,7 @@ class CasterScene {
         std::shared_ptr<const PreparedMesh::Data> whole, caster, mesh;
         std::vector<MeshClip> clips; ///< those that cut casters come first
         MaskAlpha alpha;
+        std::optional<std::array<float, 3>> tint;
         CasterRest rest{};                       ///< as a caster
         Box own;                                 ///< of the whole mesh, in its space
         std::size_t changed = 0;                 ///< the draw() before which it last changed
@@ -107,7 +110,10 @@ class CasterScene {
         std::optional<std::size_t> mergedInto{}; ///< the batch that draws it
         std::vector<std::size_t> members{};      ///< of a merged mesh
 
-        bool casts() const { return caster && !caster->shadow->caps.empty(); }
+        bool cutsOut() const { return caster && caster->alphaTested && alpha.cutsOut; }
+        bool casts() const {
+            return caster && (tint || cutsOut() || !caster->shadow->caps.empty());
+        }
         bool isClipped() const { return mesh != whole; }
     };
     static constexpr std::size_t shortRest = 30, longRest = 3000;   // draws

@@ -49,13 +49,15 @@ std::string withoutComments(std::string_view source) {
 
 } // namespace
 
-std::string lookupSource(const std::string& prefix) {
+std::string lookupSource(const std::string& prefix, LookupCasters casters) {
     if (prefix.empty() || !std::all_of(prefix.begin(), prefix.end(), isWordCharacter) ||
         std::isdigit(static_cast<unsigned char>(prefix[0])) || prefix.back() == '_' ||
         prefix.find("__") != std::string::npos || prefix.starts_with("gl_"))
         throw InputError("'" + prefix + "' is not a valid prefix for names in GLSL.");
     const std::string source = withoutComments(shaders::lookup_glsl);
     std::string text;
+    if (casters.cutouts) text += "#define " + prefix + "_PRIMITIVE_MAP_CUTOUTS\n";
+    if (casters.tints) text += "#define " + prefix + "_PRIMITIVE_MAP_TINTS\n";
     for (std::size_t i = 0; i < source.size();) {
         std::size_t end = i;
         while (end < source.size() && isWordCharacter(source[end]))

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "edgeshade/light_lookup.hpp"
-#include "preprocess/volumes/plane_pair_data.hpp"
+#include "src/engine/prepared_mesh.hpp"
 #include "src/scene/fitting_map.hpp"
 #include "src/scene/packed_primitive_map.hpp"
 
@@ -17,8 +17,16 @@ struct HeldCaster {
 
 /// Input for building a light's map.
 struct LookupTask {
+    /// A mesh that casts what its alpha leaves, or tints the light.
+    struct Cutout {
+        std::shared_ptr<const PreparedMesh::Data> mesh; ///< only its geometry counts
+        MaskAlpha alpha;
+        std::optional<std::array<float, 3>> tint;
+    };
     struct Caster {
-        std::shared_ptr<const PlanePairShadow> shadow; ///< its caps are the casting triangles
+        /// Its caps are the casting triangles. Null: `cutout` casts instead.
+        std::shared_ptr<const PlanePairShadow> shadow;
+        Cutout cutout{};
         glm::dmat4 worldFromBatch{1.0};
     };
     Light light;
@@ -37,13 +45,27 @@ struct BuiltLookup {
 struct LookupWork::Data {
     /// Returns whether more remains to do.
     bool step();
+    /// The edges of a caster, found once for all that share them.
+    std::shared_ptr<const CasterEdges> edgesOf(const LookupTask::Caster& caster);
+    /// The number of a cutout's look in `looks`.
+    std::size_t lookOf(const LookupTask::Cutout& cutout);
+
+    /// How cutouts look that may be of several meshes.
+    struct Look {
+        MaskAlpha alpha;
+        std::optional<std::array<float, 3>> tint;
+        std::uint32_t texture; ///< its number in `textures`
+    };
 
     LookupTask task;
     std::vector<HeldCaster> held; ///< the task's casters
     BuiltLookup built;
     bool done = false, taken = false;
 
-    std::map<const PlanePairShadow*, std::shared_ptr<const CasterEdges>> edges = {};
+    /// Edges by mesh, and by the number of its look; solid meshes have none.
+    std::map<std::pair<const void*, std::size_t>, std::shared_ptr<const CasterEdges>> edges = {};
+    std::vector<Look> looks = {};
+    CutoutTextures textures = {};
     std::vector<PlacedCasters> placed = {};
     std::optional<FittingMap> fitting = {};
 };

@@ -66,7 +66,8 @@ std::vector<std::size_t> neighbours(std::span<const MergeCandidate> candidates) 
 }
 
 bool mayMerge(const PreparedMesh::Data& mesh) {
-    return !mesh.alphaTested && mesh.triangles() > 0 && mesh.triangles() <= mostTrianglesOfMember;
+    return !mesh.alphaTested && mesh.triangles() > 0 && mesh.triangles() <= mostTrianglesOfMember &&
+           !isHidden(mesh.material());
 }
 
 MergedMesh merge(std::span<const PlacedMesh> members) {

@@ -40,7 +40,7 @@ struct MergeCandidate {
 /// The numbers of the first candidate and of its nearest neighbours that fit into one mesh with it.
 std::vector<std::size_t> neighbours(std::span<const MergeCandidate> candidates);
 
-/// Whether a mesh may be part of a merged mesh: it is small and not alpha-tested.
+/// Whether a mesh may be part of a merged mesh: it is small, visible and not alpha-tested.
 bool mayMerge(const PreparedMesh::Data& mesh);
 
 /// A merged mesh with its place, a translation.

@@ -16,7 +16,7 @@ constexpr std::size_t singleSided = 1, receives = 2, alphaTested = 4, hidden = 8
 
 std::size_t materialOf(const MaskMesh& mesh) {
     return (mesh.doubleSided ? 0 : singleSided) + (mesh.casts ? 0 : receives) +
-           (mesh.alphaTested ? alphaTested : 0);
+           (mesh.alphaTested ? alphaTested : 0) + (mesh.visible ? 0 : hidden);
 }
 
 std::vector<glm::vec2> texcoordsOf(const MaskMesh& mesh, std::size_t vertices) {
@@ -78,6 +78,10 @@ PreparedMesh::PreparedMesh(const MaskMesh& mesh)
 
 std::optional<std::size_t> hiddenMaterial(std::size_t material) {
     return (material & receives) == 0 ? std::optional(material | hidden) : std::nullopt;
+}
+
+bool isHidden(std::size_t material) {
+    return (material & hidden) != 0;
 }
 
 std::vector<Material> maskMaterials() {

@@ -24,8 +24,11 @@ struct PreparedMesh::Data {
 inline constexpr std::size_t maskMaterialCount = 16;
 
 /// Materials of meshes: casting or only receiving, double-sided or single-sided, with or without
-/// alpha test; and those that casting ones have where they are invisible.
+/// alpha test, visible or not.
 std::vector<Material> maskMaterials();
+
+/// Whether masks don't show a material of that number.
+bool isHidden(std::size_t material);
 
 /// The number of a material's counterpart that casts and is invisible; none if it doesn't cast.
 std::optional<std::size_t> hiddenMaterial(std::size_t material);

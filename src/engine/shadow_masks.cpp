@@ -259,6 +259,10 @@ void ShadowMasks::setAlpha(Id id, const MaskAlpha& alpha) {
     impl_->drawing->casters.setAlpha(id, alpha);
 }
 
+void ShadowMasks::setTint(Id id, const std::optional<std::array<float, 3>>& tint) {
+    impl_->drawing->casters.setTint(id, tint);
+}
+
 void ShadowMasks::move(Id id, const Matrix16& worldFromObject) {
     impl_->drawing->casters.move(id, worldFromObject);
 }
@@ -338,7 +342,7 @@ LookupWork ShadowMasks::lookupWork(const MaskLight& light, const LookupSettings&
     if (!(settings.restMs >= 0.0))
         throw InputError("Casters can't rest for " + std::to_string(settings.restMs) +
                          " milliseconds: restMs must be 0 or more.");
-    CasterScene::Casters resting = drawing.casters.resting(settings.restMs);
+    CasterScene::Casters resting = drawing.casters.resting(settings.restMs, settings.casters);
     LookupTask task{lightsOf({&light, 1}).front(), settings, std::move(resting.casters), {}};
     task.why = drawing.lookups.obstacle(task.light);
     if (task.why.empty() && task.casters.empty() && drawing.casters.hasCasters())

@@ -8,7 +8,7 @@ namespace edgeshade {
 
 /// A primitive map in one table, in the format of primitive_map_table.glsl. Header and entries are
 /// stored two to a texel; header, entries and records each start at a whole texel. For lights
-/// without an extent, without cutouts.
+/// without an extent. Cutouts have textures of their own, among the records.
 struct PackedPrimitiveMap {
     PrimitiveMapKind kind = PrimitiveMapKind::directional;
     glm::dmat4 mapFromWorld{1.0};

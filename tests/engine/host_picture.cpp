@@ -25,9 +25,9 @@ uniform highp vec3 apex;
 uniform bool casts;
 varying highp vec3 v_place, v_normal;
 void main() {
-    bool lit = ASKED;
-    if (cone.w > -1.0 && dot(normalize(v_place - apex), cone.xyz) < cone.w) lit = false;
-    gl_FragColor = vec4(vec3(lit ? 1.0 : 0.0), 1.0);
+    highp vec3 lit = ASKED;
+    if (cone.w > -1.0 && dot(normalize(v_place - apex), cone.xyz) < cone.w) lit = vec3(0.0);
+    gl_FragColor = vec4(lit, 1.0);
 })";
 
 constexpr char modern[] = "#version 300 es\n";
@@ -49,9 +49,11 @@ gl::Name compiled(GLenum stage, const std::string& source) {
 }
 
 std::string fragmentSource(HostPicture::Language language) {
-    std::string asks = language.version3 || language.derivatives
-                           ? "sun_lit(v_place, -v_place, casts)"
-                           : "sun_litOn(v_place, -v_place, v_normal, 16.0, casts)";
+    std::string asks = language.casters.tints ? "sun_litColor" : "sun_lit";
+    asks += language.version3 || language.derivatives
+                ? "(v_place, -v_place, casts)"
+                : "On(v_place, -v_place, v_normal, 16.0, casts)";
+    if (!language.casters.tints) asks = "vec3(" + asks + " ? 1.0 : 0.0)";
     std::string source = "precision mediump float;\n";
     if (language.version3)
         source = modern + source + modernFragment;
@@ -60,7 +62,7 @@ std::string fragmentSource(HostPicture::Language language) {
                  "#define EDGESHADE_DERIVATIVES\n" +
                  source;
     // Two lights in one shader have separate names.
-    source += lookupSource("sun") + lookupSource("other_lamp");
+    source += lookupSource("sun", language.casters) + lookupSource("other_lamp");
     return source + "#define ASKED " + asks + "\n" + fragmentStage;
 }
 

@@ -6,12 +6,14 @@
 namespace edgeshade::test {
 
 /// A foreign renderer that looks up a light's map in its own shader: white where the light reaches,
-/// black elsewhere, and white where there is no surface.
+/// tinted behind tinted meshes, black elsewhere, and white where there is no surface.
 class HostPicture {
   public:
-    /// `version3`: GLSL ES 3.00, else 1.00; with derivatives, or with normals that the host passes.
+    /// `version3`: GLSL ES 3.00, else 1.00; with derivatives, or with normals that the host passes;
+    /// with other casters than solid ones, or without.
     struct Language {
         bool version3 = false, derivatives = true;
+        LookupCasters casters{};
     };
 
     HostPicture(const ShadowMasks& masks, ShadowMasks::LookupId lookup, const MaskLight& light,

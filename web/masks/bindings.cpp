@@ -27,7 +27,7 @@ Matrix16 matrixAt(std::uintptr_t address) {
     return matrix;
 }
 
-/// `flags`, from the lowest bit: casts, double-sided, bends, alpha-tested.
+/// `flags`, from the lowest bit: casts, double-sided, bends, alpha-tested, visible.
 MaskMesh meshAt(std::uintptr_t positions, std::size_t floats, std::uintptr_t indices,
                 std::size_t count, std::uintptr_t texcoords, std::size_t texcoordFloats,
                 unsigned flags) {
@@ -37,7 +37,20 @@ MaskMesh meshAt(std::uintptr_t positions, std::size_t floats, std::uintptr_t ind
             .doubleSided = (flags & 2u) != 0,
             .bends = (flags & 4u) != 0,
             .alphaTested = (flags & 8u) != 0,
-            .texcoords = {at<float>(texcoords), texcoordFloats}};
+            .texcoords = {at<float>(texcoords), texcoordFloats},
+            .visible = (flags & 16u) != 0};
+}
+
+/// `numbers`: width, height, wraps along u and v (MaskTexels::Wrap), whether they are linear.
+MaskTexels texelsAt(const std::uint16_t* alpha, const std::int32_t* numbers) {
+    MaskTexels texels;
+    texels.width = numbers[0];
+    texels.height = numbers[1];
+    texels.alpha.assign(alpha, alpha + numbers[0] * numbers[1]);
+    texels.wrapS = static_cast<MaskTexels::Wrap>(numbers[2]);
+    texels.wrapT = static_cast<MaskTexels::Wrap>(numbers[3]);
+    texels.linear = numbers[4] != 0;
+    return texels;
 }
 
 /// `numbers`: opacity, cutoff, the transform's nine.
@@ -112,9 +125,32 @@ class PageMasks {
     bool change(int id, int mesh) {
         return done([&] { masks().change(idOf(id), meshes_.at(mesh)); });
     }
-    bool setAlpha(int id, unsigned texture, bool green, std::uintptr_t numbers) {
-        return done(
-            [&] { masks().setAlpha(idOf(id), alphaAt(texture, green, at<float>(numbers))); });
+    /// Copies texels for setAlpha(), and returns their number, which releaseTexels() gives back.
+    int addTexels(std::uintptr_t alpha, std::uintptr_t numbers) {
+        const bool made = done([&] {
+            texels_.emplace(nextTexels_, std::make_shared<const MaskTexels>(
+                                             texelsAt(at<std::uint16_t>(alpha), at<int>(numbers))));
+        });
+        return made ? nextTexels_++ : -1;
+    }
+    void releaseTexels(int texels) { texels_.erase(texels); }
+    /// `texels`: from addTexels(), or -1 for none.
+    bool setAlpha(int id, unsigned texture, bool green, std::uintptr_t numbers, bool cutsOut,
+                  int texels) {
+        return done([&] {
+            MaskAlpha alpha = alphaAt(texture, green, at<float>(numbers));
+            alpha.cutsOut = cutsOut;
+            if (texels >= 0) alpha.texels = texels_.at(texels);
+            masks().setAlpha(idOf(id), alpha);
+        });
+    }
+    /// A negative red: none.
+    bool setTint(int id, float red, float green, float blue) {
+        return done([&] {
+            std::optional<std::array<float, 3>> tint;
+            if (!(red < 0.0f)) tint = {red, green, blue};
+            masks().setTint(idOf(id), tint);
+        });
     }
     bool move(int id, std::uintptr_t matrix) {
         return done([&] { masks().move(idOf(id), matrixAt(matrix)); });
@@ -147,11 +183,13 @@ class PageMasks {
     }
 
     /// The input for LookupMaker; empty on failure.
-    emscripten::val lookupTask(std::uintptr_t light, int size, double mostBytes, double restMs) {
+    emscripten::val lookupTask(std::uintptr_t light, int size, double mostBytes, double restMs,
+                               bool cutouts, bool tints) {
         bytes_ = {};
         done([&] {
-            bytes_ = taskToTransfer(masks().lookupWork(
-                lightAt(at<double>(light)), {size, static_cast<std::size_t>(mostBytes), restMs}));
+            LookupSettings settings{size, static_cast<std::size_t>(mostBytes), restMs};
+            settings.casters = {cutouts, tints};
+            bytes_ = taskToTransfer(masks().lookupWork(lightAt(at<double>(light)), settings));
         });
         return viewOf(bytes_);
     }
@@ -252,7 +290,8 @@ class PageMasks {
 
     std::optional<ShadowMasks> masks_;
     std::map<int, PreparedMesh> meshes_;
-    int nextMesh_ = 0;
+    std::map<int, std::shared_ptr<const MaskTexels>> texels_;
+    int nextMesh_ = 0, nextTexels_ = 0;
     std::string problem_;
     Bytes bytes_;
     std::vector<double> numbers_;
@@ -287,7 +326,10 @@ EMSCRIPTEN_BINDINGS(edgeshade_masks) {
         .function("release", &PageMasks::release)
         .function("add", &PageMasks::add)
         .function("change", &PageMasks::change)
+        .function("addTexels", &PageMasks::addTexels)
+        .function("releaseTexels", &PageMasks::releaseTexels)
         .function("setAlpha", &PageMasks::setAlpha)
+        .function("setTint", &PageMasks::setTint)
         .function("move", &PageMasks::move)
         .function("setClippings", &PageMasks::setClippings)
         .function("remove", &PageMasks::remove)

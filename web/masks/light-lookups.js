@@ -21,9 +21,9 @@ export class LightLookups {
     this.#engine = engine;
   }
 
-  async build(light, { size = 512, mostBytes = mostBytesAsked, restMs = 500, signal } = {}) {
+  async build(light, { size = 512, mostBytes = mostBytesAsked, restMs = 500, cutouts = false, tints = false, signal } = {}) {
     const { program, masks, inContext, withLight, require } = this.#engine;
-    const task = withLight(light, (address) => masks.lookupTask(address, size, mostBytes, restMs)).slice();
+    const task = withLight(light, (address) => masks.lookupTask(address, size, mostBytes, restMs, cutouts, tints)).slice();
     require(task.length > 0);
     const result = await this.#calls.ask({ module: this.#module, task }, { transfer: [task.buffer], signal });
     if (!result) return null;

@@ -6,10 +6,14 @@ const isOwn = (word) => /rimitive|PRIMITIVE_|^cutout|^wrappedTexel$/.test(word);
 
 const short = (word) => word[0].toLowerCase() + word.slice(1);
 
-/** As described at lookupSource() in edgeshade/light_lookup.hpp. `prefix`: starts all names. */
-export function lookupSource(prefix) {
+/**
+ * As described at lookupSource() in edgeshade/light_lookup.hpp. `prefix`: starts all names;
+ * `cutouts`, `tints`: for maps with these, too.
+ */
+export function lookupSource(prefix, { cutouts = false, tints = false } = {}) {
   if (!/^(?!gl_)[A-Za-z_]\w*$/.test(prefix) || /__|_$/.test(prefix)) throw new Error(`'${prefix}' is not a valid prefix for names in GLSL.`);
-  return text.replace(/\w+/g, (word) => {
+  const define = (part, wanted) => (wanted ? `#define ${prefix}_PRIMITIVE_MAP_${part}\n` : '');
+  return define('CUTOUTS', cutouts) + define('TINTS', tints) + text.replace(/\w+/g, (word) => {
     if (!isOwn(word)) return word;
     const named = word.replace(/^u_primitive(\w+)|^primitive(Lit\w*)/, (_, uniform, asked) => short(uniform ?? asked));
     return `${prefix}_${named}`;

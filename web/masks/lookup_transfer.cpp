@@ -1,6 +1,8 @@
 #include "web/masks/lookup_transfer.hpp"
 
-#include "web/archive.hpp"
+#include "web/mesh_archive.hpp"
+
+#include <map>
 
 namespace edgeshade::web {
 
@@ -14,6 +16,11 @@ void transfer(Archive& archive, Maybe<BuiltLookup> auto& built) {
     archive(built.why, built.map, built.milliseconds);
 }
 
+template <class Archive>
+void transfer(Archive& archive, Maybe<MaskTexels> auto& texels) {
+    archive(texels.width, texels.height, texels.alpha, texels.wrapS, texels.wrapT, texels.linear);
+}
+
 namespace {
 
 /// The fields that both directions share.
@@ -22,27 +29,66 @@ void transferStart(Archive& archive, Maybe<LookupWork::Data> auto& data) {
     archive(data.task.light, data.task.settings, data.task.why, data.held);
 }
 
-/// A caster's place, and the index of its shape.
+constexpr std::size_t none = ~std::size_t{0};
+
+/// A caster's place, with indices of its shape, or of the mesh and the texels that cut it out.
 struct Place {
-    std::size_t shape = 0;
+    std::size_t shape = none, mesh = none, texels = none;
+    float opacity = 1.0f, cutoff = 0.5f;
+    std::array<float, 9> texcoordTransform{};
+    bool tinted = false;
+    std::array<float, 3> tint{};
     glm::dmat4 worldFromBatch{1.0};
 };
+
+/// Numbers of values that casters share, by first use; a null pointer has none.
+class Numbers {
+  public:
+    /// `all`: the values so far, to which a new one is added.
+    template <class T>
+    std::size_t of(const std::shared_ptr<const T>& value, std::vector<const T*>& all) {
+        if (!value) return none;
+        const auto [known, isNew] = numbers_.emplace(value.get(), all.size());
+        if (isNew) all.push_back(value.get());
+        return known->second;
+    }
+
+  private:
+    std::map<const void*, std::size_t> numbers_;
+};
+
+/// Reads as many values as its number says; `take(value)` keeps each.
+template <class T, class Take>
+void readAll(Reader& reader, Take take) {
+    std::size_t count = 0;
+    for (reader(count); count > 0; --count) {
+        T value;
+        reader(value);
+        take(std::move(value));
+    }
+}
 
 } // namespace
 
 Bytes taskToTransfer(const LookupWork& work) {
     const LookupWork::Data& data = *work.data();
-    std::map<const PlanePairShadow*, std::size_t> numbers;
+    Numbers numbers;
     std::vector<const PlanePairShadow*> shapes;
+    std::vector<const PreparedMesh::Data*> meshes;
+    std::vector<const MaskTexels*> texels;
     std::vector<Place> places;
     for (const LookupTask::Caster& caster : data.task.casters) {
-        const auto [known, isNew] = numbers.emplace(caster.shadow.get(), shapes.size());
-        if (isNew) shapes.push_back(caster.shadow.get());
-        places.push_back({known->second, caster.worldFromBatch});
+        const auto& [mesh, alpha, tint] = caster.cutout;
+        places.push_back({numbers.of(caster.shadow, shapes), numbers.of(mesh, meshes),
+                          numbers.of(alpha.texels, texels), alpha.opacity, alpha.cutoff,
+                          alpha.texcoordTransform, tint.has_value(),
+                          tint.value_or(std::array<float, 3>{}), caster.worldFromBatch});
     }
     std::size_t size = 4096 + places.size() * sizeof(Place);
     for (const PlanePairShadow* shape : shapes)
         size += shape->caps.size() * sizeof(CapRecord) + sizeof size;
+    for (const MaskTexels* of : texels)
+        size += of->alpha.size() * sizeof(std::uint16_t) + 64;
     Bytes bytes;
     bytes.reserve(size);
     Writer writer(bytes);
@@ -50,6 +96,12 @@ Bytes taskToTransfer(const LookupWork& work) {
     writer(places, shapes.size());
     for (const PlanePairShadow* shape : shapes)
         writer(shape->caps);
+    writer(meshes.size());
+    for (const PreparedMesh::Data* mesh : meshes)
+        writer(*mesh->geometry);
+    writer(texels.size());
+    for (const MaskTexels* of : texels)
+        writer(*of);
     return bytes;
 }
 
@@ -58,15 +110,34 @@ LookupWork taskFromTransfer(std::span<const std::uint8_t> bytes) {
     Reader reader(bytes);
     transferStart(reader, *data);
     std::vector<Place> places;
-    std::size_t count = 0;
-    reader(places, count);
-    std::vector<std::shared_ptr<PlanePairShadow>> shapes(count);
-    for (auto& shape : shapes) {
-        shape = std::make_shared<PlanePairShadow>();
-        reader(shape->caps);
+    reader(places);
+    std::vector<std::shared_ptr<const PlanePairShadow>> shapes;
+    readAll<std::vector<CapRecord>>(reader, [&](std::vector<CapRecord> caps) {
+        auto shape = std::make_shared<PlanePairShadow>();
+        shape->caps = std::move(caps);
+        shapes.push_back(std::move(shape));
+    });
+    std::vector<std::shared_ptr<const PreparedMesh::Data>> meshes;
+    readAll<Geometry>(reader, [&](Geometry geometry) {
+        meshes.push_back(std::make_shared<const PreparedMesh::Data>(
+            PreparedMesh::Data{CopyOnWrite<Geometry>(std::move(geometry)), nullptr, true}));
+    });
+    std::vector<std::shared_ptr<const MaskTexels>> texels;
+    readAll<MaskTexels>(reader, [&](MaskTexels of) {
+        texels.push_back(std::make_shared<const MaskTexels>(std::move(of)));
+    });
+    for (const Place& place : places) {
+        LookupTask::Caster& caster = data->task.casters.emplace_back();
+        caster.worldFromBatch = place.worldFromBatch;
+        if (place.shape != none) caster.shadow = shapes[place.shape];
+        if (place.mesh == none) continue;
+        MaskAlpha alpha{.opacity = place.opacity,
+                        .cutoff = place.cutoff,
+                        .texcoordTransform = place.texcoordTransform};
+        if (place.texels != none) alpha.texels = texels[place.texels];
+        caster.cutout = {meshes[place.mesh], std::move(alpha), {}};
+        if (place.tinted) caster.cutout.tint = place.tint;
     }
-    for (const Place& place : places)
-        data->task.casters.push_back({shapes[place.shape], place.worldFromBatch});
     return LookupWork(std::move(data));
 }
 

@@ -19,14 +19,14 @@ export function withCopies(program, arrays, use) {
 const floatsOf = (numbers) => (numbers instanceof Float32Array ? numbers : Float32Array.from(numbers));
 
 /** A mesh in the program's form: {positions, indices, texcoords} as typed arrays, and flags. */
-export function meshNumbers({ positions, indices, texcoords = [], casts = true, doubleSided = true, bends = false, alphaTested = false }) {
+export function meshNumbers({ positions, indices, texcoords = [], casts = true, doubleSided = true, bends = false, alphaTested = false, visible = true }) {
   const floats = floatsOf(positions);
   const corners = indices ?? { length: floats.length / 3 };
   return {
     positions: floats,
     indices: corners instanceof Uint32Array ? corners : Uint32Array.from(corners, (corner, i) => corner ?? i),
     texcoords: floatsOf(texcoords),
-    flags: [casts, doubleSided, bends, alphaTested].reduce((sum, on, bit) => sum + (on ? 1 << bit : 0), 0),
+    flags: [casts, doubleSided, bends, alphaTested, visible].reduce((sum, on, bit) => sum + (on ? 1 << bit : 0), 0),
   };
 }
 

@@ -23,12 +23,31 @@ export interface MaskMesh {
   doubleSided?: boolean;
   /**
    * Whether it has holes where its alpha (setAlpha()) is below the cutoff: there it is neither
-   * visible nor receives. If it casts, its whole triangles cast, as if it had no holes. Default:
-   * false.
+   * visible nor receives. If it casts, masks have the shadow of its whole triangles, as if it had
+   * no holes; for lookups see MaskAlpha.cutsOut. Default: false.
    */
   alphaTested?: boolean;
   /** u, v per vertex; for alpha-tested meshes. Default: 0, 0. */
   texcoords?: ArrayLike<number>;
+  /**
+   * Whether masks show it. Otherwise they show what is behind it, as behind see-through surfaces, and
+   * it only casts. Default: true.
+   */
+  visible?: boolean;
+}
+
+/** The alpha of a texture, texel by texel; it is copied. */
+export interface MaskTexels {
+  width: number;
+  height: number;
+  /** width * height integers, 0 to 4080 for an alpha of 1, which is 16 times that of 8 bits; rows
+   * from v = 0 on. At most 16,777,216. */
+  alpha: ArrayLike<number> & Iterable<number>;
+  /** Default: 'repeat'. */
+  wrapS?: 'repeat' | 'mirror' | 'clamp';
+  wrapT?: 'repeat' | 'mirror' | 'clamp';
+  /** Lookups filter the texels as they are, without mipmaps. Default: 'linear'. */
+  filter?: 'linear' | 'nearest';
 }
 
 /** The alpha of an alpha-tested mesh: opacity times the texture's. */
@@ -45,6 +64,13 @@ export interface MaskAlpha {
   cutoff?: number;
   /** 9 numbers, column-major: the texture is sampled at this matrix times (u, v, 1). */
   texcoordTransform?: ArrayLike<number> & Iterable<number>;
+  /**
+   * In lookups with `cutouts` the mesh casts what its alpha leaves, whether or not it `casts` in
+   * masks. Default: false.
+   */
+  cutsOut?: boolean;
+  /** For cutsOut: the texture's texels, from addTexels(). Without them alpha is opacity alone. */
+  texels?: number | null;
 }
 
 /** Planes that clip a mesh. */
@@ -128,6 +154,13 @@ export interface LookupOptions {
    * milliseconds; 0: all casters are in it. Default: 500.
    */
   restMs?: number;
+  /**
+   * Meshes whose alpha cuts them out (MaskAlpha.cutsOut) cast what it leaves. The shader needs
+   * lookupSource() with `cutouts`, too. Default: false.
+   */
+  cutouts?: boolean;
+  /** Meshes tint the light as setTint() says, likewise. Default: false. */
+  tints?: boolean;
   /** Cancels the work. */
   signal?: AbortSignal;
 }
@@ -183,8 +216,10 @@ export interface LightLookup {
  * where its corners run counter-clockwise, mirrored or not. It uses derivatives: in GLSL ES 1.00
  * enable GL_OES_standard_derivatives and define EDGESHADE_DERIVATIVES before it, or call
  * `PREFIX_litOn(position, towardsEye, normal, 16.0, casts)` with the triangle's own normal.
+ * `cutouts`, `tints`: for maps with these LookupOptions, too; default: false. With `tints` there are
+ * also PREFIX_litColor() and PREFIX_litColorOn(), which return the share of red, green and blue.
  */
-export function lookupSource(prefix: string): string;
+export function lookupSource(prefix: string, options?: { cutouts?: boolean; tints?: boolean }): string;
 
 /** All methods throw an Error whose message is a sentence. */
 export class ShadowMasks {
@@ -208,8 +243,18 @@ export class ShadowMasks {
   add(mesh: number, worldFromObject: Matrix): number;
   /** Replaces the mesh, in the same place. */
   change(id: number, mesh: number): void;
+  /** Copies a texture's alpha. Returns a number for MaskAlpha.texels. */
+  addTexels(texels: MaskTexels): number;
+  /** Frees the number; meshes that have these texels keep them. */
+  releaseTexels(texels: number): void;
   /** For an alpha-tested mesh, which has no holes until this is set, nor after change(). */
   setAlpha(id: number, alpha: MaskAlpha): void;
+  /**
+   * Makes a mesh tint the light in lookups with `tints`, whether or not it casts in masks: the share of
+   * red, green and blue that each of its triangles lets through, 0 to 1. A ray counts a mesh whose
+   * triangles close it once. Null: it isn't tinted. It stays when the mesh is moved or changed.
+   */
+  setTint(id: number, tint: [number, number, number] | null): void;
   move(id: number, worldFromObject: Matrix): void;
   /**
    * Clips a mesh by all of these, in place of those before; at most 12 planes. They stay when it is

@@ -119,13 +119,30 @@ export class ShadowMasks {
     this.#textures.drop(id);
   }
 
+  /** Copies a texture's alpha for setAlpha(). Returns its number, which releaseTexels() frees. */
+  addTexels({ width, height, alpha, wrapS = 'repeat', wrapT = 'repeat', filter = 'linear' }) {
+    const wraps = ['repeat', 'mirror', 'clamp'], numbers = Int32Array.from([width, height, wraps.indexOf(wrapS), wraps.indexOf(wrapT), filter === 'linear' ? 1 : 0]);
+    if (numbers.includes(-1) || !['linear', 'nearest'].includes(filter)) throw new Error(`An alpha has the wraps '${wrapS}' and '${wrapT}' and the filter '${filter}': they are repeat, mirror or clamp, and linear or nearest.`);
+    if (!(width > 0 && height > 0 && width * height === alpha.length)) throw new Error(`An alpha of ${width}x${height} texels has ${alpha.length} numbers.`);
+    return withCopies(this.#program, [alpha instanceof Uint16Array ? alpha : Uint16Array.from(alpha), numbers], (addresses) => this.#numberOf(this.#masks.addTexels(...addresses)));
+  }
+
+  releaseTexels(number) {
+    this.#masks.releaseTexels(number);
+  }
+
   /** Sets the alpha of an alpha-tested mesh. */
-  setAlpha(id, { texture = null, channel = 'alpha', opacity = 1, cutoff = 0.5, texcoordTransform = [1, 0, 0, 0, 1, 0, 0, 0, 1] }) {
+  setAlpha(id, { texture = null, channel = 'alpha', opacity = 1, cutoff = 0.5, texcoordTransform = [1, 0, 0, 0, 1, 0, 0, 0, 1], cutsOut = false, texels = null }) {
     if (!channels.includes(channel)) throw new Error(`Alpha has the channel '${channel}', which is not one of ${channels.join(', ')}.`);
     const numbers = Float32Array.from([opacity, cutoff, ...texcoordTransform]);
     if (numbers.length !== 11) throw new Error('A texture coordinate transform must have 9 numbers.');
     this.#textures.use(id, texture, (name) => withCopies(this.#program, [numbers], ([address]) =>
-      this.#require(this.#masks.setAlpha(id, name, channel === 'green', address))));
+      this.#require(this.#masks.setAlpha(id, name, channel === 'green', address, cutsOut, texels ?? -1))));
+  }
+
+  /** Makes a mesh tint the light in lookups: [red, green, blue] that it lets through; null: none. */
+  setTint(id, tint) {
+    this.#require(this.#masks.setTint(id, ...(tint ?? [-1, 0, 0])));
   }
 
   move(id, matrix) {

@@ -55,13 +55,13 @@ test('the package is at most 1.35 MB, 3.6 MB unpacked', { skip }, () => {
   assert.ok(size <= 1.35e6 && unpackedSize <= 3.6e6);
 });
 
-test('three.js\' adapter weighs at most 445 KB, the element 790 KB, without a bundler, compressed', { skip }, () => {
+test('three.js\' adapter weighs at most 455 KB, the element 790 KB, without a bundler, compressed', { skip }, () => {
   const modules = (...folders) => packed.paths.filter((path) => path.endsWith('.js') && folders.some((folder) => path.startsWith(`dist/${folder}/`)));
   const wasm = (name) => [`dist/wasm/${name}.wasm`, `dist/wasm/${name}.mjs`];
   const adapter = packed.weight(...wasm('edgeshade-masks'), 'dist/element/webassembly.js', ...modules('masks', 'three'));
   const element = packed.weight(...wasm('edgeshade'), ...modules('element'));
   console.log(`adapter ${adapter} bytes, element ${element}`);
-  assert.ok(adapter <= 445e3 && element <= 790e3);
+  assert.ok(adapter <= 455e3 && element <= 790e3);
 });
 
 test('npm packs every entry with its types, workers and WebAssembly', { skip }, () => {

@@ -15,7 +15,7 @@ for (const release of ['three-0.152', 'three'])
       const world = yard({ width: 240, height: 140 });
       const { renderer, scene } = world;
       const camera = cameraOf({ from: [5, 4, 6], to: [0, 0.6, 0], fov: 50 }, 240 / 140);
-      const shadows = new ExactShadows(renderer).add(scene);
+      const shadows = new ExactShadows(renderer, { alphaTestedCast: 'whole', lookups: 0 }).add(scene);
       const pictures = {};
       const draw = async (name, sheet) => {
         if (sheet) scene.add(sheet);
@@ -26,9 +26,9 @@ for (const release of ['three-0.152', 'three'])
       };
       await draw('none');
       const sheet = await draw('map', fence(world, { map: pattern() }));
-      shadows.alphaTestedCast = false;
+      shadows.alphaTestedCast = 'none';
       await draw('castsNothing');
-      shadows.alphaTestedCast = true;
+      shadows.alphaTestedCast = 'whole';
       sheet.material.opacity = 0.4; // all below 0.5: nothing is visible, but its shadow is
       await draw('faded');
       sheet.material.opacity = 1;

@@ -1,11 +1,12 @@
 // Keeps the mask engine's meshes in step with three.js's scene.
 
 import { BackSide, DoubleSide, Matrix4 } from 'three';
-import { isAlphaTested, sameAlpha, texcoordsNameOf } from './alpha-tests.js';
+import { alphaTestedCasting, isAlphaTested, sameAlpha, texcoordsNameOf } from './alpha-tests.js';
 import { unclipped } from './clippings.js';
 import { canPlaceFar, nearOrigin } from './far-vertices.js';
 import { MeshParts, whyNotInMasks } from './mesh-parts.js';
 import { isPosed, poseOf, sameNumbers, shapeOf, texcoordsOf, versionsOf } from './mesh-shape.js';
+import { isSeeThrough, requireTransparentCast, tintObstacleOf, tintOf } from './see-through.js';
 
 /** Up to this many triangles edges are found immediately, well within a frame. */
 const fewTriangles = 500;
@@ -13,33 +14,47 @@ const fewTriangles = 500;
 /** A plane that clips everything. */
 const nothingStays = [0, 0, 0, -1];
 
-/**
- * Whether masks can show a material: behind see-through and dithered surfaces others are visible.
- */
-const isShown = (material) => material.visible && !material.alphaHash && (!material.transparent || material.isShadowMaterial);
-
 const place = new Matrix4(), instance = new Matrix4();
 
-/** How the mask engine treats a mesh with one material; null: not at all. */
-function roleOf({ geometry, material, castShadow, receiveShadow }, alphaTestedCast) {
-  if (!geometry?.attributes?.position || !material || !isShown(material)) return null;
-  const tested = isAlphaTested(material) ? material : null;
-  const casts = Boolean(castShadow && (alphaTestedCast || !tested));
-  if (!casts && !receiveShadow) return null;
-  return tested ? made(casts, tested, material.side) : plainRole(casts, material.side);
+/**
+ * How the mask engine treats a mesh with one material; null: not at all. `alphaTested`: of
+ * alphaTestedCasting().
+ */
+function roleOf({ geometry, material, castShadow, receiveShadow }, alphaTested, transparentCast) {
+  if (!geometry?.attributes?.position || !material?.visible) return null;
+  const seeThrough = isSeeThrough(material); // masks show what is behind it
+  if (!isAlphaTested(material)) {
+    if (seeThrough) return castShadow ? seeThroughRoles[transparentCast](material) : null;
+    return castShadow || receiveShadow ? plainRole(Boolean(castShadow), material.side) : null;
+  }
+  const casts = Boolean(castShadow && alphaTested.whole), cutsOut = Boolean(castShadow && alphaTested.cutsOut);
+  if (!casts && !cutsOut && !(receiveShadow && !seeThrough)) return null;
+  return { ...made(casts, material, material.side, !seeThrough), cutsOut };
 }
 
 /** A role and its key. */
-function made(casts, tested, side) {
+function made(casts, tested, side, visible = true) {
   const texcoords = tested && texcoordsNameOf(tested), inward = side === BackSide, doubleSided = side === DoubleSide;
-  return { casts, tested, texcoords, doubleSided, inward, key: `${casts} ${doubleSided} ${inward} ${texcoords}` };
+  return { casts, tested, texcoords, doubleSided, inward, visible, key: `${casts} ${doubleSided} ${inward} ${visible} ${texcoords}` };
 }
+
+/** Roles of see-through meshes that cast, by transparentCast. */
+const seeThroughRoles = {
+  none: () => null,
+  opaque: ({ side }) => made(true, null, side, false),
+  tint: (material) => ({ ...made(false, null, material.side, false), tinting: material }),
+};
 
 const plainRoles = []; // by whether they cast, and side
 
 /** The role of meshes with one material without alpha test. */
 function plainRole(casts, side) {
   return (plainRoles[2 * side + casts] ??= made(casts, null, side));
+}
+
+/** Why a mesh's alpha isn't cut out exactly, apart from its texture: a clause, or ''. */
+function obstacleOf({ geometry, material }) {
+  return material.vertexColors && geometry.attributes.color?.itemSize === 4 ? "casts as if its vertices' alpha were 1" : '';
 }
 
 /** The engine's matrix for a place and an origin of positions, or null if it flattens the mesh. */
@@ -68,10 +83,13 @@ export class Casters {
   #meshes = new Map();   // three.js's mesh: the engine's record of it
   #problems = [];
   #parts;
-  #told = new WeakSet(); // meshes that were warned of
+  #warnings;
+  #cutsOut = false;
+  #tints = false;
 
-  constructor(masks, alphaTests, clippings) {
+  constructor(masks, alphaTests, clippings, warnings) {
     this.#masks = masks;
+    this.#warnings = warnings;
     this.#alphaTests = alphaTests;
     this.#clippings = clippings;
     this.#parts = new MeshParts(clippings);
@@ -89,8 +107,18 @@ export class Casters {
   casts(mesh, since) {
     return (this.#parts.last(mesh) ?? [mesh]).every((part) => {
       const had = this.#meshes.get(part);
-      return Boolean(had?.casts) && had.changed < since;
+      return Boolean(had?.casts || had?.alphas[0]?.cutsOut) && had.changed < since;
     });
+  }
+
+  /** Whether some meshes cast what their alpha leaves, where a light is looked up. */
+  get cutsOut() {
+    return this.#cutsOut;
+  }
+
+  /** Whether some meshes tint the light, where it is looked up. */
+  get tints() {
+    return this.#tints;
   }
 
   /** Resolves when nothing is pending; throws any error since the last call. */
@@ -104,15 +132,18 @@ export class Casters {
   }
 
   /** Makes the engine have exactly these meshes in their current state, except those whose edges
-   * are still being found. `alphaTestedCast`: whether alpha-tested meshes keep their
-   * castShadow. */
-  follow(meshes, alphaTestedCast) {
-    const seen = new Set();
+   * are still being found. `alphaTestedCast`, `transparentCast`: as in ExactShadows. */
+  follow(meshes, alphaTestedCast, transparentCast) {
+    requireTransparentCast(transparentCast);
+    const seen = new Set(), alphaTested = alphaTestedCasting(alphaTestedCast);
+    this.#cutsOut = this.#tints = false;
     for (const mesh of meshes) {
       for (const part of this.#parts.of(mesh) ?? [mesh]) {
-        const role = roleOf(part, alphaTestedCast);
+        const role = roleOf(part, alphaTested, transparentCast);
         if (!role || this.#isLeftOut(part, role, mesh)) continue;
         seen.add(part);
+        this.#cutsOut ||= Boolean(role.cutsOut);
+        this.#tints ||= Boolean(role.tinting);
         this.#followOne(part, role, mesh);
       }
     }
@@ -128,9 +159,7 @@ export class Casters {
   }
 
   #warn(mesh, what) {
-    if (this.#told.has(mesh)) return;
-    this.#told.add(mesh);
-    console.warn(`Mesh '${mesh.name}' ${what}.`);
+    this.#warnings.warn(mesh, `Mesh '${mesh.name}' ${what}.`);
   }
 
   /** Uploads a large mesh in one frame, and adds it in the next. */
@@ -162,7 +191,7 @@ export class Casters {
 
   /** Called when the engine has lost everything added to it. */
   forget() {
-    for (const had of this.#meshes.values()) Object.assign(had, { ids: [], places: [], alphas: [], shown: null });
+    for (const had of this.#meshes.values()) Object.assign(had, { ids: [], places: [], alphas: [], tints: [], shown: null });
   }
 
   clear() {
@@ -172,8 +201,8 @@ export class Casters {
   /** `whole`: the mesh that a part stands for. */
   #followOne(mesh, role, whole) {
     let had = this.#meshes.get(mesh);
-    if (!had) this.#meshes.set(mesh, had = { key: null, ids: [], places: [], alphas: [], shown: null, clippings: unclipped });
-    Object.assign(had, { casts: role.casts, whole });
+    if (!had) this.#meshes.set(mesh, had = { key: null, ids: [], places: [], alphas: [], tints: [], shown: null, clippings: unclipped });
+    Object.assign(had, { casts: role.casts, cutsOut: Boolean(role.cutsOut), whole });
     if (isPosed(mesh)) this.#pose(mesh, role, had);
     else this.#followShape(mesh, role, had);
     const { number: found = null, ahead, origin } = this.#prepared.get(had.key) ?? {};
@@ -182,7 +211,8 @@ export class Casters {
     if (isFar && !canPlaceFar(mesh)) this.#warn(had.whole, "has imprecise shadows: its instances or bones move vertices that are far from its origin");
     this.#clip(mesh, had);
     this.#place(mesh, found, origin, had);
-    if (role.tested) this.#setAlpha(role.tested, had);
+    if (role.tinting || had.tints.length) this.#setTint(mesh, role.tinting, had);
+    if (role.tested) this.#setAlpha(mesh, role.tested, had);
   }
 
   #followShape(mesh, role, had) {
@@ -245,9 +275,9 @@ export class Casters {
     this.#prepareNow({ ...shape, bends: true }, entry);
   }
 
-  #shapeOf(mesh, { casts, tested, texcoords, doubleSided, inward }) {
+  #shapeOf(mesh, { casts, tested, texcoords, doubleSided, inward, visible }) {
     const drawn = shapeOf(mesh);
-    const shape = { ...drawn, ...nearOrigin(drawn.positions), casts, doubleSided };
+    const shape = { ...drawn, ...nearOrigin(drawn.positions), casts, doubleSided, visible };
     if (inward) shape.indices.reverse();
     const { first, positions: { length } } = shape;
     return tested ? { ...shape, alphaTested: true, texcoords: texcoordsOf(mesh, texcoords).subarray(2 * first, 2 * first + length / 1.5) } : shape;
@@ -260,7 +290,7 @@ export class Casters {
     const stays = had.shown === number && ids.length === places.length && places.every((matrix, i) => sameNumbers(had.places[i], matrix));
     if (!stays) had.changed = performance.now();
     while (ids.length > places.length) this.#masks.remove(ids.pop());
-    had.alphas.length = Math.min(had.alphas.length, ids.length);
+    for (const of of [had.alphas, had.tints]) of.length = Math.min(of.length, ids.length);
     for (const [i, matrix] of places.entries()) {
       if (i >= ids.length) {
         ids.push(this.#masks.add(number, matrix));
@@ -293,13 +323,29 @@ export class Casters {
   }
 
   /** Sets the alpha of all instances, if it has changed. */
-  #setAlpha(material, { ids, alphas }) {
-    const alpha = this.#alphaTests.of(material);
+  #setAlpha(mesh, material, had) {
+    const { ids, alphas, cutsOut, whole } = had;
+    const alpha = this.#alphaTests.of(material, cutsOut);
+    const why = cutsOut && !(alphas[0] && sameAlpha(alphas[0], alpha)) && (alpha.why || obstacleOf(mesh));
+    if (why) this.#warnings.warn(whole, `Alpha-tested mesh '${whole.name}' ${why}.`);
     for (const [i, id] of ids.entries()) {
       if (alphas[i] && sameAlpha(alphas[i], alpha)) continue;
       this.#masks.setAlpha(id, alpha);
+      if (cutsOut || alphas[i]?.cutsOut) had.changed = performance.now();
       alphas[i] = alpha;
     }
+  }
+
+  /** Sets the tint of all instances, if it has changed. `material`: a see-through one, or none. */
+  #setTint(mesh, material, { ids, tints, whole }) {
+    const tint = material ? tintOf(material) : null;
+    for (const [i, id] of ids.entries()) {
+      if (tint ? tints[i] && sameNumbers(tints[i], tint) : !tints[i]) continue;
+      this.#masks.setTint(id, tint);
+      tints[i] = tint;
+    }
+    const why = material && tintObstacleOf(mesh);
+    if (why) this.#warnings.warn(whole, `See-through mesh '${whole.name}' ${why}.`);
   }
 
   #drop(mesh) {

@@ -3,11 +3,19 @@
 import type { Camera, Color, CubeCamera, Light, Material, Object3D, WebGLRenderer, WebGLRenderTarget } from 'three';
 import type { MaskCost } from '../masks/shadow-masks.js';
 
+/** How alpha-tested meshes with castShadow cast: see ExactShadows.alphaTestedCast. */
+export type AlphaTestedCast = 'exact' | 'exact-or-whole' | 'whole' | 'none';
+
+/** How see-through meshes with castShadow cast: see ExactShadows.transparentCast. */
+export type TransparentCast = 'none' | 'opaque' | 'tint';
+
 export interface ExactShadowsOptions {
   /** Points of each light that has a radius, 1 to 4096. Default: 64. */
   lightSamples?: number;
-  /** See ExactShadows.alphaTestedCast. Default: true. */
-  alphaTestedCast?: boolean;
+  /** See ExactShadows.alphaTestedCast. Default: 'exact'. */
+  alphaTestedCast?: AlphaTestedCast;
+  /** See ExactShadows.transparentCast. Default: 'none'. */
+  transparentCast?: TransparentCast;
   /**
    * Keeps all state of the context across the masks, which waits for pending draws; otherwise
    * renderer.resetState() is called after them. Default: false.
@@ -46,8 +54,10 @@ export interface LightShadow {
  *
  * An alpha-tested surface (alphaTest, with the alpha of map or the green of alphaMap; with both,
  * alphaMap's) receives shadow where it is solid, and surfaces seen through its holes have their
- * own; see alphaTestedCast. See-through surfaces (transparent, alphaHash) cast none, whatever
- * castShadow says, and receive only the shadows of lights that are looked up.
+ * own. Where a light is looked up it also casts what its alpha leaves; see alphaTestedCast.
+ *
+ * See-through surfaces (transparent, alphaHash, transmission) receive only the shadows of lights that
+ * are looked up. They cast as transparentCast says, or as alphaTestedCast if they are alpha-tested.
  *
  * Clipping planes mean what they mean for three.js's maps: renderer.clippingPlanes and, with
  * renderer.localClippingEnabled, a material's clippingPlanes and clipIntersection clip visible surfaces;
@@ -59,10 +69,35 @@ export class ExactShadows {
 
   lightSamples: number;
   /**
-   * Whether alpha-tested meshes obey castShadow. They then cast whole triangles, as if they had no
-   * holes, because shadow volumes can't follow these. Otherwise they cast nothing.
+   * How alpha-tested meshes with castShadow cast:
+   *
+   * 'exact', the default: in lights that are looked up, what their alpha leaves; nothing in lights
+   * that move, have a radius, or are too many for `lookups`, as volumes can't follow holes.
+   * 'exact-or-whole': there they cast whole triangles.
+   * 'whole': whole triangles in all lights, as if they had no holes.
+   * 'none': nothing.
+   *
+   * Alpha is what the material samples at level 0 of its own texture, with its magFilter (nearest,
+   * else linear), wraps, transform and channel; mipmaps take no part. The texture is read back from
+   * the GPU once, and again when it changes. At most 4096 x 4096 texels; video and render targets cast
+   * nothing. The console names each mesh that isn't exact, once, with the reason.
    */
-  alphaTestedCast: boolean;
+  alphaTestedCast: AlphaTestedCast;
+
+  /**
+   * How see-through meshes with castShadow cast, if they aren't alpha-tested:
+   *
+   * 'none', the default: nothing.
+   * 'opaque': as if they were solid, in all lights.
+   * 'tint': in lights that are looked up, each lets through its color times its transmission, or one
+   * minus its opacity; what several let through is multiplied. Nothing in other lights.
+   *
+   * With transparent or alphaHash and transmission, that is color * (1 - opacity * (1 - transmission)). A
+   * mesh whose triangles close it, like a box, counts once on a ray, others at each triangle. Textures,
+   * vertex colours and attenuation do not tint; the console names such meshes, once. A ShadowMaterial
+   * takes the mean of the colours.
+   */
+  transparentCast: TransparentCast;
 
   /** Includes everything below an object from now on, including later additions. */
   add(object: Object3D): this;

@@ -2,7 +2,7 @@
 
 import { Matrix4, Vector2, Vector3, Vector4 } from 'three';
 import { mostLights, ShadowMasks } from '../masks/shadow-masks.js';
-import { AlphaTests } from './alpha-tests.js';
+import { AlphaTests, alphaTestedCasting } from './alpha-tests.js';
 import { Casters } from './casters.js';
 import { Clippings } from './clippings.js';
 import { mostSlots, slotName } from './lit.glsl.js';
@@ -11,6 +11,9 @@ import { MaskViews } from './mask-views.js';
 import { MaterialPatches } from './material-patch.js';
 import { needsMask, RestingLights } from './resting-lights.js';
 import { castingLights } from './scene-lights.js';
+import { requireTransparentCast } from './see-through.js';
+import { TexelReading } from './texel-reading.js';
+import { Warnings } from './warnings.js';
 
 export { ExactShadowsPass } from './exact-shadows-pass.js';
 
@@ -53,6 +56,8 @@ export class ExactShadows {
   #casters = null;
   #resting = null;
   #views = null;
+  #texels = null;
+  #warnings = new Warnings();
   #lookedUp = 0; // number of lights in the last picture
   #casting = []; // three.js's casting lights in it
   #mostLookedUp;
@@ -86,6 +91,7 @@ export class ExactShadows {
     this.#masks?.forget();
     this.#casters?.forget();
     this.#resting?.forget();
+    this.#texels?.forget();
     this.#textures.clear();
   };
   #restore = () => {
@@ -93,14 +99,17 @@ export class ExactShadows {
     this.#lost = false;
   };
 
-  constructor(renderer, { lightSamples = 64, alphaTestedCast = true, keepsState = false, lookups = 1 } = {}) {
+  constructor(renderer, { lightSamples = 64, alphaTestedCast = 'exact', transparentCast = 'none', keepsState = false, lookups = 1 } = {}) {
     if (!renderer?.isWebGLRenderer) throw new Error('ExactShadows needs a WebGLRenderer of three.js.');
     const context = renderer.getContext();
     if (typeof WebGL2RenderingContext === 'undefined' || !(context instanceof WebGL2RenderingContext))
       throw new Error('ExactShadows needs a renderer that draws with WebGL 2.');
+    alphaTestedCasting(alphaTestedCast); // throws if there is no such choice
+    requireTransparentCast(transparentCast);
     this.#renderer = renderer;
     this.lightSamples = lightSamples;
     this.alphaTestedCast = alphaTestedCast;
+    this.transparentCast = transparentCast;
     this.#keepsState = keepsState;
     this.#mostLookedUp = Math.min(lookups, mostSlots);
     this.#textures = new MaskTextures(renderer);
@@ -113,7 +122,8 @@ export class ExactShadows {
         if (this.#disposed) return masks.dispose();
         this.#masks = masks;
         this.#resetRenderer();
-        this.#casters = new Casters(masks, new AlphaTests(renderer), new Clippings(renderer));
+        this.#texels = new TexelReading(renderer, masks);
+        this.#casters = new Casters(masks, new AlphaTests(renderer, this.#texels), new Clippings(renderer), this.#warnings);
         this.#views = new MaskViews(renderer, masks, this.#casters, (view, viewport) => this.#show(view, viewport));
         this.#resting = new RestingLights(masks, this.#mostLookedUp, () => this.#resetRenderer());
         return undefined;
@@ -213,6 +223,8 @@ export class ExactShadows {
     this.#casters = null;
     this.#resting?.forget();
     this.#resting = null;
+    this.#texels?.dispose();
+    this.#texels = null;
     this.#masks?.dispose();
     this.#masks = null;
   }
@@ -282,7 +294,11 @@ export class ExactShadows {
     if (scene.matrixWorldAutoUpdate !== false) scene.updateMatrixWorld();
     if (camera.parent === null && camera.matrixWorldAutoUpdate !== false) camera.updateMatrixWorld();
     const { lights, meshes } = visibleOf(scene, camera, this.#rootsOf(scene));
-    if (!this.#lost) this.#casters?.follow(meshes, this.alphaTestedCast);
+    if (!this.#lost) {
+      this.#texels?.advance();
+      this.#casters?.follow(meshes, this.alphaTestedCast, this.transparentCast);
+      this.#patches.lookFor({ cutouts: this.#casters?.cutsOut, tints: this.#casters?.tints });
+    }
     const receiving = new Map(); // by material: whether all meshes with it cast
     for (const mesh of meshes) {
       if (!mesh.receiveShadow) continue;
@@ -296,9 +312,20 @@ export class ExactShadows {
   /** For each light, the map that it is looked up in, or null. */
   #mapsOf({ lights, sources }) {
     this.#resting.most = this.#patches.slots;
-    const maps = this.#resting.follow(lights.map((numbers, i) => ({ light: sources[i], numbers })), this.#casters.pending === 0);
+    const maps = this.#resting.follow(lights.map((numbers, i) => ({ light: sources[i], numbers })), this.#casters.pending === 0 && !this.#texels.waits);
     this.#lookedUp = maps.filter(Boolean).length;
+    if (this.#casters.cutsOut || this.#casters.tints) this.#warnOfLights(lights, sources, maps);
     return maps;
+  }
+
+  /** Warns of lights that are not looked up, not even at rest: masks have neither cutouts nor tints. */
+  #warnOfLights(lights, sources, maps) {
+    const whys = this.notLookedUp, most = Math.min(this.#mostLookedUp, this.#patches.slots);
+    for (const [i, light] of sources.entries()) {
+      if (maps[i]) continue;
+      const why = whys.get(light) ?? (lights[i].radius > 0 ? 'it has a radius' : this.#lookedUp >= most && `${most} lights are looked up at once`);
+      if (why) this.#warnings.warn(light, `Light '${light.name}' lacks the shadows of cutouts and tints, as it is not looked up: ${why}.`);
+    }
   }
 
   #showTables(maps) {

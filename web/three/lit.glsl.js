@@ -18,31 +18,35 @@ const first = { point: '0', spot: counts.point, directional: `${counts.point} + 
 const all = Object.values(counts).join(' + ');
 
 /** A loop, since a branch doesn't keep software renderers from sampling a map that isn't there. */
-const askMap = (slot) => /* glsl */`
+const askMap = (slot, tints) => /* glsl */`
 	for ( int i = 0; i < edgeshadeMaps[ ${slot} ]; i ++ )
-		edgeshadeLooked[ ${slot} ] = ${slotName(slot)}_litOn( position, towardsEye, normal, error, edgeshadeCasts ) ? 1.0 : 0.0;
+		edgeshadeLooked[ ${slot} ] = ${slotName(slot)}_lit${tints ? 'Color' : ''}On( position, towardsEye, normal, error, edgeshadeCasts )${tints ? '' : ' ? 1.0 : 0.0'};
 `;
 
+/** The type of a light's share: with tints by colour. */
+const kindOf = ({ tints }) => (tints ? 'vec3' : 'float');
+
 /** The lookups of maps, for as many slots as a material has room for. */
-const lookups = (slots) => Array.from({ length: slots }, (_, slot) => lookupSource(slotName(slot))).join('\n') + /* glsl */`
+const lookups = (slots, casters) => Array.from({ length: slots }, (_, slot) => lookupSource(slotName(slot), casters)).join('\n') + /* glsl */`
 uniform int edgeshadeMaps[ ${mostSlots} ]; // 1: there is one
 uniform bool edgeshadeCasts; // all that the material is on
-float edgeshadeLooked[ ${mostSlots} ];
+edgeshadeShare edgeshadeLooked[ ${mostSlots} ];
 
 void edgeshadeAskMaps( const in highp vec3 position ) {
 	highp vec3 towardsEye = isOrthographic ? vec3( 0.0, 0.0, 1.0 ) : - position;
 	highp vec3 along = dFdx( position ), up = dFdy( position ), normal = cross( along, up );
 	highp float error = ${slots > 0 ? `${slotName(0)}_litError( position, along, up )` : '0.0'};
-	${Array.from({ length: slots }, (_, slot) => askMap(slot)).join('')}
+	${Array.from({ length: slots }, (_, slot) => askMap(slot, casters.tints)).join('')}
 }
 `;
 
 /** Goes before main(). A fragment normally takes the masks' texel at its pixel. At outlines
  * masks and picture may show different surfaces; there it takes the surrounding texel whose
  * nearness is closest to the fragment's own. */
-export const declarations = (slots) => /* glsl */`
+export const declarations = (slots, casters) => /* glsl */`
 #if ${all} > 0
-${lookups(slots)}
+#define edgeshadeShare ${kindOf(casters)}
+${lookups(slots, casters)}
 uniform mediump sampler2D edgeshadeMasks[ ( ${all} + 3 ) / 4 ];
 uniform float edgeshadeIntensities[ ${all} ];
 uniform highp sampler2D edgeshadeNearness;
@@ -95,13 +99,17 @@ float edgeshadeMaskOf( const in int channel ) {
 #endif
 }
 
-float edgeshadeLit( const in int light ) {
+edgeshadeShare edgeshadeLit( const in int light ) {
 	int way = edgeshadeWays[ light ];
-	float lit = 1.0;
+	edgeshadeShare lit = edgeshadeShare( 1.0 );
 	if ( way < 0 ) lit = edgeshadeLooked[ - 1 - way ];
-	else lit = edgeshadeMaskOf( way % 32 );
+	else lit = edgeshadeShare( edgeshadeMaskOf( way % 32 ) );
 	if ( way >= 32 ) lit *= edgeshadeLooked[ way / 32 - 1 ];
-	return mix( 1.0, lit, edgeshadeIntensities[ light ] );
+	return mix( edgeshadeShare( 1.0 ), lit, edgeshadeIntensities[ light ] );
+}
+
+float edgeshadeMean( const in edgeshadeShare share ) {
+	return ${casters.tints ? 'dot( share, vec3( 1.0 / 3.0 ) )' : 'share'};
 }
 
 void edgeshadeFind( const in highp vec3 position ) {
@@ -149,14 +157,14 @@ export function lightsWithMasks(source) {
   return text.replace(declaresLight, (found) => found + find).replaceAll('directLight.visible && receiveShadow', 'directLight.visible && receiveShadow && ! edgeshadeHasMasks()');
 }
 
-/** The value of a ShadowMaterial, in place of getShadowMask(). */
+/** The value of a ShadowMaterial, in place of getShadowMask(): the mean of the colours. */
 export const shadowMask = /* glsl */`
 float edgeshadeMask() {
 #if ${all} > 0
 	if ( ! edgeshadeHasMasks() ) return getShadowMask();
 	if ( ! receiveShadow ) return 1.0;
 	edgeshadeFind( - vViewPosition );
-	float lit = 1.0;
+	edgeshadeShare lit = edgeshadeShare( 1.0 );
 	#pragma unroll_loop_start
 	for ( int i = 0; i < ${counts.point}; i ++ ) {
 		lit *= edgeshadeLit( ${first.point} + UNROLLED_LOOP_INDEX );
@@ -172,7 +180,7 @@ float edgeshadeMask() {
 		lit *= edgeshadeLit( ${first.directional} + UNROLLED_LOOP_INDEX );
 	}
 	#pragma unroll_loop_end
-	return lit;
+	return edgeshadeMean( lit );
 #else
 	return 1.0;
 #endif

@@ -3,6 +3,7 @@
 import { MathUtils, ShaderChunk } from 'three';
 import { placeFarVertices, takesOrigins } from './far-vertices.js';
 import { declarations, lightsWithMasks, shadowMask } from './lit.glsl.js';
+import { isSeeThrough } from './see-through.js';
 
 const lightsBegin = '#include <lights_fragment_begin>';
 const lightsDeclared = '#include <lights_pars_begin>';
@@ -21,7 +22,7 @@ const isLit = (material) => Boolean(material.isMeshStandardMaterial || material.
  * others are visible, and displaced ones are elsewhere.
  */
 const isMasked = (material) => Boolean(material.isShadowMaterial) ||
-  !(material.transparent || material.alphaHash || material.wireframe || material.displacementMap);
+  !(isSeeThrough(material) || material.wireframe || material.displacementMap);
 
 /** Whether casting lights light a material. */
 export const takesShadow = (material) => Boolean(material.isShadowMaterial) || isLit(material);
@@ -46,9 +47,9 @@ function withPosition(shader) {
 }
 
 /** A fragment shader with masks, or null if it doesn't light surfaces as three.js does. */
-function withShadows(source, material, slots) {
+function withShadows(source, material, slots, casters) {
   const seeThrough = isMasked(material) ? '' : '#define EDGESHADE_SEE_THROUGH\n';
-  const declared = `${seeThrough}${declarations(slots)}`;
+  const declared = `${seeThrough}${declarations(slots, casters)}`;
   const text = source.includes(lightsDeclared) ? source.replace(lightsDeclared, (found) => `${found}\n${declared}`)
     : source.replace(/\bvoid\s+main\s*\(/, (found) => `${declared}\n${found}`); // the chunk is inlined
   if (!material.isShadowMaterial) {
@@ -75,6 +76,7 @@ export class MaterialPatches {
   #most;
   #slots;
   #draws;
+  #casters = { cutouts: false, tints: false }; // that programs can look up
 
   /** `uniforms`: for declarations(), in three.js's form, shared by all materials;
    * `mostTextures`: limit per program; `most`: lights' maps at once; `draws(camera)` is called
@@ -89,6 +91,16 @@ export class MaterialPatches {
   /** Number of lights' maps for which all added materials have room. */
   get slots() {
     return this.#slots;
+  }
+
+  /** From now on programs can look these casters up, too; new ones compile all programs again. */
+  lookFor({ cutouts, tints }) {
+    if ((!cutouts || this.#casters.cutouts) && (!tints || this.#casters.tints)) return;
+    this.#casters = { cutouts: Boolean(this.#casters.cutouts || cutouts), tints: Boolean(this.#casters.tints || tints) };
+    for (const reference of this.#alive) {
+      const material = reference.deref();
+      if (material) material.needsUpdate = true;
+    }
   }
 
   /**
@@ -111,7 +123,7 @@ export class MaterialPatches {
     const reference = new WeakRef(material);
     this.#alive.add(reference);
     this.#gone.register(material, reference);
-    const key = `${this.#key} ${slots}`;
+    const key = `${this.#key} ${slots}`, casters = () => this.#casters;
     const draws = this.#draws;
     let takes = true; // known once its shader is made, which is after the first call
     material.onBeforeRender = function (renderer, scene, camera, geometry, object, ...given) {
@@ -121,7 +133,7 @@ export class MaterialPatches {
     };
     material.onBeforeCompile = function (shader, renderer) {
       onBeforeCompile.call(this, shader, renderer);
-      const changed = withShadows(shader.fragmentShader, this, slots);
+      const changed = withShadows(shader.fragmentShader, this, slots, casters());
       if (changed === null) {
         warnOf(this);
         return;
@@ -136,7 +148,7 @@ export class MaterialPatches {
     // three.js's own key is the text of onBeforeCompile, which is now the patch's.
     const before = own ? null : onBeforeCompile.toString();
     material.customProgramCacheKey = function () {
-      return `${key} ${isMasked(this)} ${before ?? customProgramCacheKey.call(this)}`;
+      return `${key} ${Object.values(casters())} ${isMasked(this)} ${before ?? customProgramCacheKey.call(this)}`;
     };
     material.needsUpdate = true;
   }

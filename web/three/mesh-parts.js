@@ -3,6 +3,7 @@
 import { Matrix4 } from 'three';
 import { isAlphaTested } from './alpha-tests.js';
 import { sameNumbers } from './mesh-shape.js';
+import { isSeeThrough } from './see-through.js';
 
 /** An object with another's members, and its own in their place. */
 const variantOf = (of, own) => Object.assign(Object.create(of), own);
@@ -77,9 +78,9 @@ export class MeshParts {
 
   /** Identifies materials that masks treat alike. */
   #treatmentOf(material) {
-    const { visible, transparent, alphaHash, side, wireframe, displacementMap, isShadowMaterial, uuid } = material;
+    const { visible, side, wireframe, displacementMap, uuid } = material;
     const clippings = this.#clippings.of(material);
-    return [visible, transparent && !isShadowMaterial, alphaHash, side, wireframe, Boolean(displacementMap), isAlphaTested(material) && uuid,
+    return [visible, side, wireframe, Boolean(displacementMap), (isAlphaTested(material) || isSeeThrough(material)) && uuid,
       clippings.length ? JSON.stringify(clippings) : ''].join();
   }
 

@@ -121,7 +121,7 @@ export class RestingLights {
     entry.abort = abort;
     const since = performance.now() - entry.restMs;
     try {
-      const id = await this.#masks.buildLookup(numbers, { signal: abort.signal, restMs: entry.restMs });
+      const id = await this.#masks.buildLookup(numbers, { cutouts: true, tints: true, signal: abort.signal, restMs: entry.restMs });
       if (id === null) return;
       if (this.#entries.get(light) === entry && !abort.signal.aborted) entry.next = { id, since };
       else this.#masks.removeLookup(id);

@@ -1,10 +1,35 @@
 #include "src/shadow/primitive_map/caster_edges.hpp"
 
+#include <algorithm>
+
 namespace edgeshade {
 
 CasterEdges casterEdgesOf(const PlanePairShadow& shadow) {
     CasterEdges casters{weldCaps(shadow.caps), {}};
     casters.edges = buildEdges(casters.mesh);
+    return casters;
+}
+
+namespace {
+
+/// Whether each edge is run through as often in one direction as in the other.
+bool areClosed(const EdgeList& edges) {
+    return std::all_of(edges.edges.begin(), edges.edges.end(), [&](const Edge& edge) {
+        const auto forward = edges.forwardOf(edge);
+        const auto along = std::count(forward.begin(), forward.end(), std::uint8_t{1});
+        return 2 * along == static_cast<std::ptrdiff_t>(forward.size());
+    });
+}
+
+} // namespace
+
+CasterEdges tintedEdgesOf(const Batch& batch, std::uint32_t material) {
+    CasterEdges casters{weld(batch.geometry->positions, batch.geometry->indices), {}, {}};
+    casters.edges = buildEdges(casters.mesh);
+    casters.cutouts.resize(casters.mesh.triangles.size());
+    for (CutoutTriangle& triangle : casters.cutouts)
+        triangle = {{}, material};
+    casters.tintedSolid = areClosed(casters.edges);
     return casters;
 }
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/constants.hpp>
 
 namespace edgeshade {
 namespace {
@@ -62,6 +63,26 @@ std::vector<std::uint8_t> contoursOf(const CasterEdges& casters, const std::vect
     return contours;
 }
 
+/// The side (lightSideOf) of those triangles of a solid that are on a ray once: of entering
+/// triangles, or of leaving ones if the light is within, by the solid angles that the triangles
+/// fill (A. Van Oosterom and J. Strackee, "The Solid Angle of a Plane Triangle", 1983).
+int sideMetOnce(const WeldedMesh& mesh, const glm::dvec4& light) {
+    if (light.w == 0.0) return 1;
+    const glm::dvec3 point(light);
+    double angle = 0.0;
+    for (const Triangle& triangle : mesh.triangles) {
+        std::array<glm::dvec3, 3> to;
+        for (std::size_t i = 0; i < 3; ++i)
+            to[i] = glm::dvec3(mesh.positions[triangle[i]]) - point;
+        const double a = glm::length(to[0]), b = glm::length(to[1]), c = glm::length(to[2]);
+        angle += std::atan2(glm::dot(to[0], glm::cross(to[1], to[2])),
+                            a * b * c + glm::dot(to[0], to[1]) * c + glm::dot(to[1], to[2]) * a +
+                                glm::dot(to[2], to[0]) * b);
+    }
+    const bool within = std::abs(angle) > glm::pi<double>(); // half of it is 2 pi within, 0 outside
+    return within && angle > 0.0 ? -1 : 1;
+}
+
 /// The plane of a triangle in map space; null if it is so steep that no ray certainly meets it.
 std::optional<glm::dvec3> planeOf(const std::array<glm::dvec3, 3>& corners, bool directional) {
     const glm::dvec3& a = corners[0];
@@ -95,9 +116,11 @@ void addOccluders(const Light& light, const LightTiles& tiles, const PlacedCaste
         sides[t] = tiles.shape ? sideOfAll(corners, shape) : middles[t];
         if (areBeyond(corners, glm::dvec3(local), range) || touches(corners, local)) sides[t] = 0;
     }
+    const int met = placed.casters->tintedSolid ? sideMetOnce(mesh, local) : 0;
     const std::vector<std::uint8_t> contours = contoursOf(*placed.casters, sides);
     for (std::size_t t = 0; t < sides.size(); ++t) {
         if (sides[t] == 0 && !tiles.shape) continue;
+        if (met != 0 && sides[t] != met) continue;
         const Triangle& triangle = mesh.triangles[t];
         Occluder occluder;
         std::array<glm::dvec3, 3> rays;

@@ -44,9 +44,12 @@ struct PrimitiveMap {
     /// Three texels per triangle: an edge in each xyz (Occluder::edges), the plane in the fourth
     /// components. An alpha-tested triangle has three more: CutoutPlanes' u, v, alpha, with u's
     /// fourth component naming the record of its texture: (place, size) in the atlas, (cutoff, wrap
-    /// along u, along v, linear or not).
+    /// along u, along v, linear or not). The texels of a texture of its own follow its record, and
+    /// the place is (their first index, 0). A tinted triangle has (1 or 0 for each edge: rays on it
+    /// are its own; the record of its tint) and two unused texels; a tint is (red, green, blue,
+    /// -1).
     std::vector<glm::vec4> records;
-    bool cutouts = false; ///< some triangles are alpha-tested
+    bool cutouts = false; ///< some triangles are alpha-tested, or tinted
     /// For a light with an extent (docs/method.md, C42): records are three texels per triangle, its
     /// corners in map space, sorted by x, then y, then z.
     bool extended = false;

@@ -1,13 +1,14 @@
 // Shadows of small clipped scenes by rays on the CPU, and comparisons of pictures with them.
 
 import * as three from 'three';
+import { isHole } from './texel-alpha.js';
 
 const materialOf = ({ object: { material }, face }) => (Array.isArray(material) ? material[face.materialIndex] : material);
 
 /** Whether masks show the surface that a ray has hit, and it may cast. */
-const isSolid = (hit) => {
+const isSolid = (hit, seeThroughCasts) => {
   const { transparent, wireframe } = materialOf(hit);
-  return !transparent && !wireframe;
+  return (!transparent || seeThroughCasts) && !wireframe;
 };
 
 const isBeyond = (point) => (plane) => plane.distanceToPoint(point) < 0;
@@ -22,13 +23,13 @@ function clipsLocally(renderer, { clippingPlanes, clipIntersection }, point) {
  * By pixel, rows from the top: 0 no surface, 1 in shadow, 2 lit, and the mesh's number times 4 and
  * face's times 256 besides, so that outlines can be told.
  */
-function rayPicture(renderer, scene, camera, light) {
+function rayPicture(renderer, scene, camera, light, seeThroughCasts) {
   const { drawingBufferWidth: width, drawingBufferHeight: height } = renderer.getContext();
   scene.updateMatrixWorld();
   camera.updateMatrixWorld();
   const meshes = [];
   scene.traverse((object) => { if (object.isMesh && object.visible) meshes.push(object); });
-  const ray = new three.Raycaster(), aim = new three.Vector2(), normal = new three.Vector3(), towards = new three.Vector3();
+  const ray = new three.Raycaster(), aim = new three.Vector2(), normal = new three.Vector3(), towards = new three.Vector3(), axis = new three.Vector3();
   const found = new Float64Array(width * height);
   for (let y = 0; y < height; ++y)
     for (let x = 0; x < width; ++x) {
@@ -37,7 +38,7 @@ function rayPicture(renderer, scene, camera, light) {
       ray.far = Infinity;
       ray.layers.mask = camera.layers.mask;
       const eye = ray.ray.direction.clone();
-      const hit = ray.intersectObjects(meshes, false).filter(isSolid).find((one) =>
+      const hit = ray.intersectObjects(meshes, false).find((one) => isSolid(one, seeThroughCasts) && !isHole(one) &&
         !renderer.clippingPlanes.some(isBeyond(one.point)) && !clipsLocally(renderer, materialOf(one), one.point));
       if (!hit) continue;
       normal.copy(hit.face.normal);
@@ -50,14 +51,16 @@ function rayPicture(renderer, scene, camera, light) {
       normal.transformDirection(hit.object.matrixWorld);
       if (normal.dot(eye) > 0) normal.negate();
       towards.copy(light.position);
-      if (light.isPointLight) towards.sub(hit.point);
+      const near = light.isPointLight || light.isSpotLight;
+      if (near) towards.sub(hit.point);
       ray.near = 1e-5;
-      ray.far = light.isPointLight ? towards.length() : Infinity;
+      ray.far = near ? towards.length() : Infinity;
       towards.normalize();
-      const faces = normal.dot(towards) > 0;
+      const inCone = !light.isSpotLight || towards.dot(axis.copy(light.position).sub(light.target.position).normalize()) > Math.cos(light.angle);
+      const faces = inCone && normal.dot(towards) > 0;
       ray.set(hit.point, towards);
       ray.layers.enableAll();
-      const lit = faces && !ray.intersectObjects(meshes, false).filter(isSolid).some((one) =>
+      const lit = faces && !ray.intersectObjects(meshes, false).some((one) => one.object.castShadow && isSolid(one, seeThroughCasts) && !isHole(one) &&
         !(materialOf(one).clipShadows && clipsLocally(renderer, materialOf(one), one.point)));
       const side = Math.round(normal.x) + 3 * Math.round(normal.y) + 9 * Math.round(normal.z) + 13;
       found[y * width + x] = (lit ? 2 : 1) + 4 * (1 + meshes.indexOf(hit.object)) + 256 * side + 8192 * (number ?? 0);
@@ -69,8 +72,8 @@ function rayPicture(renderer, scene, camera, light) {
  * Compares red bytes (redOf()) of white surfaces with rays. Returns numbers of pixels: with
  * surfaces, in shadow, wrong, and wrong with no outline or border of shadow within a pixel.
  */
-export function comparedWithRays(red, renderer, scene, camera, light) {
-  const { found, width, height } = rayPicture(renderer, scene, camera, light);
+export function comparedWithRays(red, renderer, scene, camera, light, { seeThroughCasts = false } = {}) {
+  const { found, width, height } = rayPicture(renderer, scene, camera, light, seeThroughCasts);
   const told = { surfaces: 0, dark: 0, wrong: 0, beyond: 0 };
   for (let y = 0; y < height; ++y)
     for (let x = 0; x < width; ++x) {

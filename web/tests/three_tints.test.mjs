@@ -1,0 +1,204 @@
+// See-through meshes of three.js tint the light, where it is looked up: judged by rays.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { useBrowser } from './support/browser.mjs';
+import { openThree } from './support/three.mjs';
+
+const shared = useBrowser({ angle: 'gl-egl' });
+
+/** Runs `act(page, foliage, given)` in a page with three.js; returns its result. */
+async function inPage(act, { release, allowed, given } = {}) {
+  const page = await openThree(shared, release);
+  const told = await page.evaluate(async ([text, value]) => {
+    const foliage = { ...await import('/tests/foliage.js'), ...await import('/tests/tint-rays.js') };
+    return (0, eval)(`(${text})`)(window.page, foliage, value);
+  }, [act.toString(), given]);
+  const { reports } = page;
+  await shared.check(page, allowed);
+  return { told, reports };
+}
+
+const assertRight = (name, { compared, tinted, wrong, beyond }) => {
+  assert.ok(compared > 5000 && tinted > 300, `${name}: ${compared} pixels, ${tinted} of them tinted`);
+  assert.ok(beyond <= 0.0002 * compared && wrong <= 0.04 * compared, `${name}: ${wrong} of ${compared} pixels are wrong, ${beyond} of them beyond outlines`);
+};
+
+/** Panes above one another, of several kinds, and a pillar; [mesh, tint]. */
+const window3 = async ({ three, ExactShadows, rested }, { floorOf, comparedTints }, { kind, position, inGlobe }) => {
+  const { renderer, scene, light, camera } = floorOf(window.page, { kind, position });
+  if ('useLegacyLights' in renderer) renderer.useLegacyLights = false; // they are brighter than white
+  const tints = new Map();
+  const added = (mesh, tint, at, turned = [0, 0, 0]) => {
+    mesh.position.set(...at);
+    mesh.rotation.set(...turned);
+    mesh.castShadow = mesh.receiveShadow = true;
+    tints.set(mesh, tint);
+    scene.add(mesh);
+    return mesh;
+  };
+  const linear = (r, g, b) => new three.Color().setRGB(r, g, b, three.LinearSRGBColorSpace);
+  const blended = (colour, opacity, settings) => new three.MeshLambertMaterial({ color: linear(...colour), opacity, transparent: true, ...settings });
+  const glass = (colour, transmission, settings) => new three.MeshPhysicalMaterial({ color: linear(...colour), transmission, roughness: 0.1, ...settings });
+  // Its back is towards a light from above.
+  added(new three.Mesh(new three.PlaneGeometry(2, 1.6), blended([1, 0.4, 0.2], 0.2)), [0.8, 0.32, 0.16], [-0.6, 1.1, -0.3], [1.3, 0, 0.1]);
+  added(new three.Mesh(new three.PlaneGeometry(1.4, 1.8), blended([0.2, 0.5, 1], 0.25, { side: three.DoubleSide })), [0.15, 0.375, 0.75], [0.3, 1.5, 0.2], [-1.4, 0.2, 0.4]);
+  added(new three.Mesh(new three.BoxGeometry(1.2, 0.1, 1.2), glass([0.9, 0.8, 0.3], 0.9)), [0.81, 0.72, 0.27], [0.7, 0.9, -0.4], [0.1, 0.3, 0]);
+  added(new three.Mesh(new three.BoxGeometry(1, 0.2, 0.5), glass([0.5, 1, 0.5], 1, { transparent: true, opacity: 0.5, side: three.BackSide })), [0.5, 1, 0.5], [0, 1.9, 0.5], [0, 0.4, 0]);
+  const row = added(new three.InstancedMesh(new three.PlaneGeometry(0.5, 1), blended([1, 1, 1], 0.5), 3), [0.5, 0.5, 0.5], [-1.2, 0.5, 1.3]);
+  for (let i = 0; i < 3; ++i) row.setMatrixAt(i, new three.Matrix4().makeRotationX(-1.2).setPosition(0.35 * i, 0.12 * i, 0.1 * i));
+  if (inGlobe) added(new three.Mesh(new three.SphereGeometry(0.3, 20, 12), glass([1, 0.7, 0.5], 1)), [1, 0.7, 0.5], position);
+  const shadows = new ExactShadows(renderer, { transparentCast: 'tint' }).add(scene);
+  const lookedUp = await rested(shadows, scene, camera);
+  return { lookedUp, ...comparedTints(renderer, scene, camera, light, (mesh) => tints.get(mesh) ?? null), error: renderer.getContext().getError() };
+};
+
+for (const [release, kind, position, inGlobe] of [['three-0.152', 'DirectionalLight', [0.3, 1, 0.25]], ['three', 'DirectionalLight', [0.3, 1, 0.25]],
+  ['three', 'PointLight', [0.5, 3.4, 0.4]], ['three', 'PointLight', [0.2, 3.1, 0.3], true]])
+  test(`stained glass in a row, ${kind}${inGlobe ? ' in a globe' : ''}, in ${release}`, async () => {
+    const { told } = await inPage(window3, { release, given: { kind, position, inGlobe } });
+    console.log(told);
+    assert.equal(told.lookedUp, 1);
+    assert.equal(told.error, 0);
+    assertRight('panes', told);
+  });
+
+test('none, opaque and tint, looked up and in masks; changes; a sentence for others', async () => {
+  const { told } = await inPage(async ({ three, ExactShadows, rested, drawn, redOf, comparedWithRays }, { floorOf, comparedTints, white }) => {
+    const { renderer, scene, light, camera } = floorOf(window.page);
+    const pane = new three.Mesh(new three.BoxGeometry(1.6, 0.1, 1.4), white({ opacity: 0.5, transparent: true, side: three.FrontSide }));
+    pane.position.set(0.6, 1.3, -0.2);
+    pane.castShadow = pane.receiveShadow = true;
+    scene.add(pane);
+    const shadows = new ExactShadows(renderer, { lookups: 1 }).add(scene);
+    const told = {};
+    const count = () => redOf(renderer).filter((red) => red < 128).length;
+    for (const choice of ['none', 'opaque', 'tint']) {
+      shadows.transparentCast = choice;
+      light.position.x += 0.001;
+      await drawn(shadows, scene, camera);
+      told[`${choice}, mask`] = [shadows.cost.lookedUp, count()];
+      await rested(shadows, scene, camera);
+      told[`${choice}, looked up`] = [shadows.cost.lookedUp, count()];
+    }
+    const tint = () => comparedTints(renderer, scene, camera, light, (mesh) => (mesh === pane ? [pane.material.color.r * 0.5, pane.material.color.g * 0.5, pane.material.color.b * 0.5] : null));
+    told.tint = tint();
+    pane.material.color.setRGB(0.3, 0.8, 1);
+    shadows.render(scene, camera);
+    told.inMotion = shadows.cost.lookedUp;
+    await rested(shadows, scene, camera);
+    told.changed = tint();
+    pane.material.opacity = 1;
+    pane.material.transparent = false;
+    pane.material.needsUpdate = true;
+    await rested(shadows, scene, camera);
+    told.solid = comparedWithRays(redOf(renderer), renderer, scene, camera, light, { seeThroughCasts: true });
+    const refused = (act) => {
+      try {
+        act();
+        return '';
+      } catch (error) {
+        return error.message;
+      }
+    };
+    told.constructed = refused(() => new ExactShadows(renderer, { transparentCast: true }));
+    shadows.transparentCast = 'tinted';
+    told.rendered = refused(() => shadows.render(scene, camera));
+    return told;
+  });
+  console.log(told);
+  const { 'none, mask': [noneMasked, none], 'opaque, mask': [opaqueMasked, opaque], 'tint, mask': [, tint] } = told;
+  assert.deepEqual([noneMasked, opaqueMasked], [0, 0]);
+  assert.ok(opaque > none + 300);
+  assert.equal(tint, none, 'masks have no tints');
+  for (const [name, value] of Object.entries(told)) if (name.endsWith('looked up')) assert.equal(value[0], 1, name);
+  assert.ok(Math.abs(told['none, looked up'][1] - none) < 60 && Math.abs(told['opaque, looked up'][1] - opaque) < 60);
+  assertRight('tint', told.tint);
+  assert.equal(told.inMotion, 0);
+  assertRight('changed', told.changed);
+  assert.ok(told.solid.beyond <= 2, `${told.solid.beyond} wrong`);
+  assert.equal(told.constructed, "transparentCast is 'true', which is not one of none, opaque, tint.");
+  assert.match(told.rendered, /^transparentCast is 'tinted'/);
+});
+
+test('leaves that are see-through and alpha-tested are cut out', async () => {
+  const { told } = await inPage(async ({ ExactShadows, rested, redOf, comparedWithRays }, { floorOf, treeOf, leafAtlas, white }) => {
+    const { renderer, scene, light, camera } = floorOf(window.page);
+    scene.add(treeOf(white({ map: leafAtlas(), alphaTest: 0.4, transparent: true })));
+    const shadows = new ExactShadows(renderer).add(scene);
+    const lookedUp = await rested(shadows, scene, camera);
+    return { lookedUp, ...comparedWithRays(redOf(renderer), renderer, scene, camera, light) };
+  });
+  console.log(told);
+  assert.equal(told.lookedUp, 1);
+  assert.ok(told.dark > 300);
+  // The leaves' own edges are blended with what is behind them.
+  assert.ok(told.beyond <= 0.0002 * told.surfaces, `${told.beyond} wrong`);
+});
+
+test('glass with transmission is not in masks, and receives shadow by lookup', async () => {
+  const { told } = await inPage(async ({ three, ExactShadows, drawn, rested, redOf, redAt }, { floorOf }) => {
+    const { renderer, scene, light, camera } = floorOf(window.page);
+    const shadows = new ExactShadows(renderer).add(scene);
+    const sheet = new three.Mesh(new three.BoxGeometry(1.5, 0.1, 1.5), scene.children[0].material);
+    sheet.position.set(0.5, 1.6, 0);
+    sheet.castShadow = true;
+    scene.add(sheet);
+    const pane = new three.Mesh(new three.PlaneGeometry(2.2, 2.2), new three.MeshPhysicalMaterial({ color: 0xffffff, transmission: 1, roughness: 0, ior: 1, specularIntensity: 0 }));
+    pane.position.copy(camera.position).multiplyScalar(0.45);
+    pane.quaternion.copy(camera.quaternion);
+    pane.receiveShadow = true;
+    await drawn(shadows, scene, camera);
+    const without = redOf(renderer);
+    scene.add(pane);
+    light.position.x += 0.001;
+    await drawn(shadows, scene, camera);
+    const withPane = redOf(renderer), masked = shadows.cost.lookedUp;
+    const unlike = (a, b) => a.filter((red, i) => Math.abs(red - b[i]) > 100).length;
+    // A white pane in the sheet's shadow.
+    pane.position.set(-0.2, 0.8, -0.1);
+    pane.rotation.set(-Math.PI / 2, 0, 0);
+    Object.assign(pane.material, { transmission: 0.01 });
+    const lookedUp = await rested(shadows, scene, camera);
+    return { masked, unlike: unlike(without, withPane), lookedUp, lit: redAt(renderer, camera, [-1.1, 0.8, 0.3]), shaded: redAt(renderer, camera, [-0.4, 0.8, 0.3]) };
+  });
+  console.log(told);
+  assert.equal(told.masked, 0);
+  assert.ok(told.unlike < 150, `${told.unlike} pixels behind the pane show other shadows`);
+  assert.equal(told.lookedUp, 1);
+  assert.ok(told.lit > 150 && told.shaded < 60, `${told.lit} and ${told.shaded}`);
+});
+
+test('what tints otherwise is told once, by name and reason', async () => {
+  const { told, reports } = await inPage(async ({ three, ExactShadows, lampOf, rested }, { floorOf, blobs, white }) => {
+    const { renderer, scene, camera } = floorOf(window.page, { width: 60, height: 40 });
+    const added = (name, material, geometry = new three.PlaneGeometry(1, 1)) => {
+      const mesh = new three.Mesh(geometry, material);
+      Object.assign(mesh, { name, castShadow: true });
+      mesh.position.y = 1;
+      scene.add(mesh);
+    };
+    const see = (settings) => white({ transparent: true, opacity: 0.5, ...settings });
+    const several = new three.PlaneGeometry(1, 1);
+    several.addGroup(0, 3, 0);
+    several.addGroup(3, 3, 1);
+    added('textured', see({ map: blobs(4, 4) }));
+    added('plain', see());
+    added('two', [see(), see({ opacity: 0.2 })], several);
+    added('frame', [white(), see()], several);
+    const [soft, target] = lampOf({ kind: 'DirectionalLight', position: [0, 1, 0.1] });
+    soft.name = 'soft';
+    scene.add(soft, target);
+    const shadows = new ExactShadows(renderer, { transparentCast: 'tint' }).add(scene).setRadius(soft, 0.01);
+    const lookedUp = await rested(shadows, scene, camera);
+    for (let i = 0; i < 3; ++i) shadows.render(scene, camera);
+    return lookedUp;
+  }, { allowed: [/^(See-through mesh|Mesh|Light) '/] });
+  assert.equal(told, 1);
+  assert.deepEqual([...reports].sort(), [
+    "Light 'soft' lacks the shadows of cutouts and tints, as it is not looked up: it has a radius.",
+    "Mesh 'frame' casts as if all of its materials were solid: only some are see-through.",
+    "See-through mesh 'textured' tints by its colour alone, without its map.",
+    "See-through mesh 'two' tints as its first material.",
+  ]);
+});

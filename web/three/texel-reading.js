@@ -1,0 +1,159 @@
+// Alpha of three.js's textures, read back from the GPU as materials sample it: decoded, flipped, and
+// at level 0.
+
+import { Camera, ClampToEdgeWrapping, GLSL3, Mesh, MirroredRepeatWrapping, NearestFilter, NoBlending, PlaneGeometry, RawShaderMaterial, Scene, WebGLRenderTarget } from 'three';
+
+/** Limits of ShadowMasks.addTexels(). */
+const full = 4080, mostTexels = 2 ** 24;
+
+/** Frames for which texels are kept that nothing uses. */
+const patience = 300;
+
+/** Changes of a texture after which it isn't read any more. */
+const mostChanges = 20;
+
+const vertexShader = 'in vec3 position; void main() { gl_Position = vec4( position, 1.0 ); }';
+
+/** Two alphas a pixel, with two bytes each. */
+const fragmentShader = /* glsl */`
+precision highp float;
+precision highp int;
+uniform highp sampler2D source;
+uniform bool green;
+uniform int columns;
+out vec4 bytes;
+int alphaAt( int index ) {
+	ivec2 size = textureSize( source, 0 );
+	vec4 texel = texelFetch( source, min( ivec2( index % size.x, index / size.x ), size - 1 ), 0 );
+	return int( clamp( green ? texel.g : texel.a, 0.0, 1.0 ) * ${full}.0 + 0.5 );
+}
+void main() {
+	int pair = 2 * ( int( gl_FragCoord.y ) * columns + int( gl_FragCoord.x ) );
+	ivec2 two = ivec2( alphaAt( pair ), alphaAt( pair + 1 ) );
+	bytes = vec4( two.x & 255, two.x >> 8, two.y & 255, two.y >> 8 ) / 255.0;
+}`;
+
+const wrapOf = (mode) => (mode === ClampToEdgeWrapping ? 'clamp' : mode === MirroredRepeatWrapping ? 'mirror' : 'repeat');
+
+/** Why a texture can't be read, a clause; or ''. */
+function obstacleOf(texture) {
+  if (texture.isVideoTexture || texture.isRenderTargetTexture || texture.isFramebufferTexture) return 'its texture may change in every frame';
+  const { width, height } = texture.image ?? {};
+  return width * height <= mostTexels ? '' : 'its texture is larger than 4096 x 4096 texels';
+}
+
+export class TexelReading {
+  #renderer;
+  #masks;
+  #kept = { alpha: new Map(), green: new Map() }; // by WebGLTexture: {version, seen, number, opaque, why, reading}
+  #frame = 0;
+  #readIn = -1; // the last frame in which a reading began
+  #drawing = null;
+
+  constructor(renderer, masks) {
+    this.#renderer = renderer;
+    this.#masks = masks;
+  }
+
+  get #entries() {
+    return Object.values(this.#kept).flatMap((kept) => [...kept.values()]);
+  }
+
+  /** Whether texels are still being read. */
+  get waits() {
+    return this.#entries.some(({ version, asked, why }) => !why && version !== asked);
+  }
+
+  /**
+   * The texels of an uploaded texture: {number, or null while they are read; opaque: whether all
+   * alpha is 1; why: a clause if they can't be read, or ''}. `channel`: as in setAlpha().
+   */
+  of(texture, webGlTexture, channel) {
+    const kept = this.#kept[channel];
+    let entry = kept.get(webGlTexture);
+    if (!entry) kept.set(webGlTexture, entry = { version: null, number: null, opaque: false, reading: null, changes: 0 });
+    const asked = this.#renderer.properties.get(texture.source).__version; // of the last upload
+    entry.changes += entry.asked === asked ? 0 : 1;
+    Object.assign(entry, { seen: this.#frame, asked, why: obstacleOf(texture) || (entry.changes > mostChanges ? 'its texture changes too often' : '') });
+    const { number, version, opaque, why, reading } = entry;
+    if (!why && version !== asked && !reading && this.#readIn !== this.#frame) {
+      this.#readIn = this.#frame;
+      entry.reading = { ...this.#begin(texture, channel), version: asked };
+    }
+    return { number: version === asked ? number : null, opaque, why };
+  }
+
+  /** Call it once a frame: takes what the GPU has finished, and frees what nothing uses. */
+  advance() {
+    this.#frame += 1;
+    const gl = this.#renderer.getContext();
+    const done = this.#entries.find(({ reading }) => reading && gl.getSyncParameter(reading.sync, gl.SYNC_STATUS) === gl.SIGNALED);
+    if (done) this.#finish(gl, done);
+    for (const kept of Object.values(this.#kept))
+      for (const [texture, entry] of kept) {
+        if (this.#frame - entry.seen < patience || entry.reading) continue;
+        if (entry.number !== null) this.#masks.releaseTexels(entry.number);
+        kept.delete(texture);
+      }
+  }
+
+  /** Has the GPU copy the texels into a buffer, which the page doesn't wait for. */
+  #begin(texture, channel) {
+    const { image: { width, height }, wrapS, wrapT, magFilter } = texture;
+    const columns = width % 2 ? width : width / 2, rows = width % 2 ? Math.ceil(height / 2) : height;
+    const renderer = this.#renderer, gl = renderer.getContext();
+    const before = [renderer.getRenderTarget(), renderer.getActiveCubeFace(), renderer.getActiveMipmapLevel()];
+    const target = new WebGLRenderTarget(columns, rows, { depthBuffer: false, minFilter: NearestFilter, magFilter: NearestFilter });
+    const { scene, camera, uniforms } = this.#drawing ??= this.#makeDrawing();
+    uniforms.source.value = texture;
+    uniforms.green.value = channel === 'green';
+    uniforms.columns.value = columns;
+    renderer.setRenderTarget(target);
+    renderer.render(scene, camera);
+    uniforms.source.value = null;
+    const buffer = gl.createBuffer();
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
+    gl.bufferData(gl.PIXEL_PACK_BUFFER, 4 * columns * rows, gl.STREAM_READ);
+    gl.readPixels(0, 0, columns, rows, gl.RGBA, gl.UNSIGNED_BYTE, 0);
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
+    renderer.setRenderTarget(...before);
+    target.dispose();
+    const sync = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    return { sync, buffer, count: 2 * columns * rows,
+      texels: { width, height, wrapS: wrapOf(wrapS), wrapT: wrapOf(wrapT), filter: magFilter === NearestFilter ? 'nearest' : 'linear' } };
+  }
+
+  #makeDrawing() {
+    const uniforms = { source: { value: null }, green: { value: false }, columns: { value: 1 } };
+    const material = new RawShaderMaterial({ glslVersion: GLSL3, vertexShader, fragmentShader, uniforms, blending: NoBlending, depthTest: false, depthWrite: false });
+    const mesh = new Mesh(new PlaneGeometry(2, 2), material);
+    mesh.frustumCulled = false;
+    return { scene: new Scene().add(mesh), camera: new Camera(), uniforms, mesh };
+  }
+
+  #finish(gl, entry) {
+    const { sync, buffer, version, count, texels } = entry.reading;
+    const alpha = new Uint16Array(count);
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
+    gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, alpha);
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
+    gl.deleteBuffer(buffer);
+    gl.deleteSync(sync);
+    if (entry.number !== null) this.#masks.releaseTexels(entry.number);
+    const whole = alpha.subarray(0, texels.width * texels.height);
+    Object.assign(entry, { version, reading: null, opaque: whole.every((value) => value === full), number: this.#masks.addTexels({ ...texels, alpha: whole }) });
+  }
+
+  /** Called when the context is lost. */
+  forget() {
+    for (const { number } of this.#entries) if (number !== null) this.#masks.releaseTexels(number);
+    for (const kept of Object.values(this.#kept)) kept.clear();
+  }
+
+  dispose() {
+    this.forget();
+    this.#drawing?.mesh.geometry.dispose();
+    this.#drawing?.mesh.material.dispose();
+  }
+}
