@@ -16,7 +16,7 @@ struct CutBorder {
     /// Edges of pieces, and of caps that were cut. A cap that stays as it was is listed only at
     /// those that a cut cap had too.
     EdgeList edges;
-    std::vector<std::uint32_t> replaced; ///< edges of caps that were cut; ascending
+    std::vector<std::uint32_t> replaced; ///< edges of caps that were cut, each once
     bool balanced =
         true; ///< each of `edges` has as many triangles in one direction as in the other
 };
