@@ -28,6 +28,8 @@ Surroundings surroundingsOf(const UncutRecords& uncut, const std::vector<std::ui
     for (const std::uint32_t cap : met)
         known[cap] = cut;
     Surroundings found;
+    found.edges.reserve(3 * met.size());
+    found.neighbours.reserve(met.size());
     const auto add = [&](std::uint32_t edge) {
         found.edges.push_back(edge);
         for (const std::uint32_t cap : uncut.capsOf(edge)) {
@@ -81,6 +83,9 @@ WeldedMesh weldedOf(const UncutRecords& uncut, const std::vector<glm::vec3>& pos
 template <class Counts>
 EdgeList edgesWhere(const EdgeList& all, const Counts& counts) {
     EdgeList some;
+    some.edges.reserve(all.edges.size());
+    some.opposites.reserve(all.opposites.size());
+    some.forward.reserve(all.opposites.size());
     for (const Edge& edge : all.edges) {
         Edge own = edge;
         own.firstOpposite = static_cast<std::uint32_t>(some.opposites.size());
@@ -121,12 +126,17 @@ CutBorder cutBorder(const UncutRecords& uncut, const Geometry& cut, const CutCap
         return (neighbours[of.triangle - pieces].sides >> side & 1u) != 0;
     });
     border.balanced = areBalanced(border.edges);
-    border.planes = trianglePlanes(border.mesh, border.edges, 0.0, {1});
-    for (const CutCaps::Piece& piece : kind.pieces)
+    border.planes.reserve(pieces + neighbours.size());
+    border.capOf.reserve(pieces + neighbours.size());
+    const auto position = [&](std::uint32_t vertex) { return cut.positions[vertex]; };
+    for (const CutCaps::Piece& piece : kind.pieces) {
+        const auto& [a, b, c] = piece.vertices;
+        border.planes.push_back(trianglePlane(position(a), position(b), position(c)));
         border.capOf.push_back(piece.cap);
-    for (std::size_t i = 0; i < neighbours.size(); ++i) {
-        border.capOf.push_back(caps.capOf[neighbours[i].cap]);
-        border.planes[pieces + i] = uncut.shadow->caps[neighbours[i].cap].plane;
+    }
+    for (const Neighbour& of : neighbours) {
+        border.planes.push_back(uncut.shadow->caps[of.cap].plane);
+        border.capOf.push_back(caps.capOf[of.cap]);
     }
     return border;
 }
