@@ -1,9 +1,9 @@
 #include "preprocess/section/geometry_cut.hpp"
 
+#include "preprocess/section/edge_vertices.hpp"
 #include "preprocess/section/plane_height.hpp"
 
 #include <algorithm>
-#include <unordered_map>
 
 namespace edgeshade {
 namespace {
@@ -38,12 +38,12 @@ class EdgeCutter {
     /// kept vertex itself if it lies in the plane.
     std::uint32_t vertexOn(std::uint32_t kept, std::uint32_t other) {
         if (height(kept) == 0.0) return kept;
-        const std::uint64_t key =
-            (std::uint64_t{std::min(kept, other)} << 32) | std::max(kept, other);
-        const auto [found, isNew] =
-            made_.try_emplace(key, static_cast<std::uint32_t>(geometry_.positions.size()));
-        if (isNew) add(kept, other);
-        return found->second;
+        std::uint32_t& vertex = made_.at(kept, other);
+        if (vertex == EdgeVertices::none) {
+            vertex = static_cast<std::uint32_t>(geometry_.positions.size());
+            add(kept, other);
+        }
+        return vertex;
     }
 
   private:
@@ -72,7 +72,7 @@ class EdgeCutter {
 
     Geometry& geometry_;
     const glm::dvec4& plane_;
-    std::unordered_map<std::uint64_t, std::uint32_t> made_; ///< by two vertices
+    EdgeVertices made_;
 };
 
 /// Whether two of the corners are at one place, so that the piece has no area.

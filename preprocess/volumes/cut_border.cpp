@@ -8,17 +8,6 @@
 namespace edgeshade {
 namespace {
 
-/// The edges of caps that were cut, ascending.
-std::vector<std::uint32_t> edgesOfCut(const UncutRecords& uncut,
-                                      const std::vector<std::uint32_t>& met) {
-    std::vector<std::uint32_t> edges;
-    for (const std::uint32_t cap : met)
-        edges.insert(edges.end(), uncut.edgesOf[cap].begin(), uncut.edgesOf[cap].end());
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    return edges;
-}
-
 /// A cap that stays as it was, and those of its sides that a cut cap had too: bit 0 for the side
 /// from a to b, bit 1 from b to c, bit 2 from c to a.
 struct Neighbour {
@@ -26,25 +15,42 @@ struct Neighbour {
     std::uint32_t sides;
 };
 
-std::vector<Neighbour> neighboursOf(const UncutRecords& uncut,
-                                    const std::vector<std::uint32_t>& edges, const CutCaps& caps) {
-    std::vector<Neighbour> found;
-    for (const std::uint32_t edge : edges)
+/// The edges of caps that were cut, and their other caps.
+struct Surroundings {
+    std::vector<std::uint32_t> edges;
+    std::vector<Neighbour> neighbours;
+};
+
+Surroundings surroundingsOf(const UncutRecords& uncut, const std::vector<std::uint32_t>& met,
+                            const std::vector<std::uint32_t>& capOf) {
+    constexpr std::uint32_t unknown = UncutRecords::none, cut = UncutRecords::none - 1;
+    std::vector<std::uint32_t> known(capOf.size(), unknown); // by cap; or the neighbour's number
+    for (const std::uint32_t cap : met)
+        known[cap] = cut;
+    Surroundings found;
+    found.edges.reserve(3 * met.size());
+    found.neighbours.reserve(met.size());
+    const auto add = [&](std::uint32_t edge) {
+        found.edges.push_back(edge);
         for (const std::uint32_t cap : uncut.capsOf(edge)) {
-            if (caps.capOf[cap] == UncutRecords::none) continue;
-            const auto& own = uncut.edgesOf[cap];
-            found.push_back({cap, 1u << static_cast<std::uint32_t>(
-                                      std::find(own.begin(), own.end(), edge) - own.begin())});
+            if (capOf[cap] == UncutRecords::none) continue;
+            if (known[cap] == unknown) {
+                known[cap] = static_cast<std::uint32_t>(found.neighbours.size());
+                found.neighbours.push_back({cap, 0});
+            }
+            for (std::uint32_t side = 0; side < 3; ++side)
+                if (uncut.edgesOf[cap][side] == edge)
+                    found.neighbours[known[cap]].sides |= 1u << side;
         }
-    std::sort(found.begin(), found.end(),
-              [](const Neighbour& s, const Neighbour& t) { return s.cap < t.cap; });
-    std::vector<Neighbour> joined;
-    for (const Neighbour& one : found)
-        if (!joined.empty() && joined.back().cap == one.cap)
-            joined.back().sides |= one.sides;
-        else
-            joined.push_back(one);
-    return joined;
+    };
+    for (const std::uint32_t cap : met)
+        for (const std::uint32_t edge : uncut.edgesOf[cap]) {
+            const auto caps = uncut.capsOf(edge);
+            const auto first = std::find_if(caps.begin(), caps.end(),
+                                            [&](std::uint32_t of) { return known[of] == cut; });
+            if (*first == cap) add(edge); // once
+        }
+    return found;
 }
 
 /// Welds the pieces, then the neighbours. The cut geometry begins with the vertices of the uncut
@@ -77,6 +83,9 @@ WeldedMesh weldedOf(const UncutRecords& uncut, const std::vector<glm::vec3>& pos
 template <class Counts>
 EdgeList edgesWhere(const EdgeList& all, const Counts& counts) {
     EdgeList some;
+    some.edges.reserve(all.edges.size());
+    some.opposites.reserve(all.opposites.size());
+    some.forward.reserve(all.opposites.size());
     for (const Edge& edge : all.edges) {
         Edge own = edge;
         own.firstOpposite = static_cast<std::uint32_t>(some.opposites.size());
@@ -104,8 +113,9 @@ CutBorder cutBorder(const UncutRecords& uncut, const Geometry& cut, const CutCap
                     const CutCaps::Kind& kind) {
     CutBorder border;
     if (kind.pieces.empty() && kind.met.empty()) return border;
-    border.replaced = edgesOfCut(uncut, kind.met);
-    const std::vector<Neighbour> neighbours = neighboursOf(uncut, border.replaced, caps);
+    Surroundings around = surroundingsOf(uncut, kind.met, caps.capOf);
+    const std::vector<Neighbour>& neighbours = around.neighbours;
+    border.replaced = std::move(around.edges);
     border.mesh = weldedOf(uncut, cut.positions, kind.pieces, neighbours);
     const std::size_t pieces = kind.pieces.size(); // all have an area, so that none is dropped
     border.edges = edgesWhere(buildEdges(border.mesh, {1}), [&](const Opposite& of) {
@@ -116,12 +126,17 @@ CutBorder cutBorder(const UncutRecords& uncut, const Geometry& cut, const CutCap
         return (neighbours[of.triangle - pieces].sides >> side & 1u) != 0;
     });
     border.balanced = areBalanced(border.edges);
-    border.planes = trianglePlanes(border.mesh, border.edges, 0.0, {1});
-    for (const CutCaps::Piece& piece : kind.pieces)
+    border.planes.reserve(pieces + neighbours.size());
+    border.capOf.reserve(pieces + neighbours.size());
+    const auto position = [&](std::uint32_t vertex) { return cut.positions[vertex]; };
+    for (const CutCaps::Piece& piece : kind.pieces) {
+        const auto& [a, b, c] = piece.vertices;
+        border.planes.push_back(trianglePlane(position(a), position(b), position(c)));
         border.capOf.push_back(piece.cap);
-    for (std::size_t i = 0; i < neighbours.size(); ++i) {
-        border.capOf.push_back(caps.capOf[neighbours[i].cap]);
-        border.planes[pieces + i] = uncut.shadow->caps[neighbours[i].cap].plane;
+    }
+    for (const Neighbour& of : neighbours) {
+        border.planes.push_back(uncut.shadow->caps[of.cap].plane);
+        border.capOf.push_back(caps.capOf[of.cap]);
     }
     return border;
 }

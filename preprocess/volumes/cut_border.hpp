@@ -12,11 +12,11 @@ namespace edgeshade {
 struct CutBorder {
     WeldedMesh mesh;                  ///< pieces, and caps that share an edge with a cut cap
     std::vector<std::uint32_t> capOf; ///< by triangle of the mesh, as cut
-    std::vector<glm::vec4> planes;    ///< by triangle of the mesh
+    std::vector<glm::vec4> planes;    ///< by triangle of the mesh; a piece has one of its own
     /// Edges of pieces, and of caps that were cut. A cap that stays as it was is listed only at
     /// those that a cut cap had too.
     EdgeList edges;
-    std::vector<std::uint32_t> replaced; ///< edges of caps that were cut; ascending
+    std::vector<std::uint32_t> replaced; ///< edges of caps that were cut, each once
     bool balanced =
         true; ///< each of `edges` has as many triangles in one direction as in the other
 };

@@ -14,10 +14,13 @@ namespace {
 UncutRecords::OfEdge crowdedOf(const UncutRecords& uncut,
                                const std::vector<std::uint32_t>& replaced) {
     UncutRecords::OfEdge all;
-    for (const auto& [edge, of] : uncut.crowded) {
-        if (!std::binary_search(replaced.begin(), replaced.end(), edge)) continue;
-        all.pairs.insert(all.pairs.end(), of.pairs.begin(), of.pairs.end());
-        all.singles.insert(all.singles.end(), of.singles.begin(), of.singles.end());
+    if (uncut.crowded.empty()) return all;
+    for (const std::uint32_t edge : replaced) {
+        const auto found = uncut.crowded.find(edge);
+        if (found == uncut.crowded.end()) continue;
+        const auto& [pairs, singles] = found->second;
+        all.pairs.insert(all.pairs.end(), pairs.begin(), pairs.end());
+        all.singles.insert(all.singles.end(), singles.begin(), singles.end());
     }
     std::sort(all.pairs.begin(), all.pairs.end());
     std::sort(all.singles.begin(), all.singles.end());

@@ -101,25 +101,25 @@ bool UncutRecords::canFollowCuts() const {
 }
 
 UncutRecords uncutRecords(const Batch& batch, const std::vector<Material>& materials,
-                          bool castMasked) {
+                          bool castMasked, std::shared_ptr<const PlanePairShadow> shadow) {
     const Casters casters = castersOf(batch, materials, castMasked);
     const CasterMesh mesh = weldForRecords(batch, casters);
     const EdgeList edges = buildEdges(mesh.welded);
     UncutRecords made;
-    made.shadow =
-        std::make_shared<const PlanePairShadow>(buildPlanePairs(mesh, edges, materials, 0.0));
-    const PlanePairShadow& shadow = *made.shadow;
+    if (!shadow)
+        shadow = std::make_shared<const PlanePairShadow>(buildPlanePairs(mesh, edges, materials));
+    made.shadow = std::move(shadow);
 
     const Components components = findComponents(mesh.welded, edges);
     const std::vector<std::uint32_t> casting =
         castingTriangles(*batch.geometry, materials, castMasked);
     made.capOf.assign(batch.geometry->indices.size() / 3, UncutRecords::none);
-    std::vector<std::uint32_t> capOf(shadow.caps.size()); // by triangle of the mesh
-    std::vector<glm::vec4> planes(shadow.caps.size());
-    for (std::uint32_t cap = 0; cap < shadow.caps.size(); ++cap) {
-        const std::uint32_t triangle = shadow.capTriangles[cap];
+    std::vector<std::uint32_t> capOf(made.shadow->caps.size()); // by triangle of the mesh
+    std::vector<glm::vec4> planes(capOf.size());
+    for (std::uint32_t cap = 0; cap < capOf.size(); ++cap) {
+        const std::uint32_t triangle = made.shadow->capTriangles[cap];
         capOf[triangle] = cap;
-        planes[triangle] = shadow.caps[cap].plane;
+        planes[triangle] = made.shadow->caps[cap].plane;
         const std::uint32_t caster = mesh.welded.source[triangle];
         made.capOf[casting[caster]] = cap;
         made.vertices.push_back({casters.indices[3 * caster], casters.indices[3 * caster + 1],

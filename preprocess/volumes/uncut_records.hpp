@@ -46,8 +46,9 @@ struct UncutRecords {
     bool canFollowCuts() const;
 };
 
-/// The records of a rigid batch without simplified casters. Flat patches are exact.
+/// Of a rigid batch without simplified casters. `shadow`: its records, made without a flat
+/// tolerance by buildPlanePairs(); null: not made yet.
 UncutRecords uncutRecords(const Batch& batch, const std::vector<Material>& materials,
-                          bool castMasked);
+                          bool castMasked, std::shared_ptr<const PlanePairShadow> shadow = {});
 
 } // namespace edgeshade

@@ -26,7 +26,9 @@ FollowedGeometry* followedOf(UncutScene& uncut, const Batch& batch,
     if (!isNew) return found->second.get();
     if (batch.deforms() || geometry.simplifiedCasters || settings.flatTolerance != 0.0)
         return nullptr;
-    UncutRecords records = uncutRecords(batch, uncut.cutter.whole().materials, settings.castMasked);
+    const auto whole = uncut.ofWhole.find(&geometry);
+    UncutRecords records = uncutRecords(batch, uncut.cutter.whole().materials, settings.castMasked,
+                                        whole != uncut.ofWhole.end() ? whole->second : nullptr);
     uncut.ofWhole.emplace(&geometry, records.shadow);
     if (records.canFollowCuts())
         found->second = std::make_unique<FollowedGeometry>(FollowedGeometry{std::move(records)});
