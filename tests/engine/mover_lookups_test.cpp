@@ -160,6 +160,62 @@ TEST(MoverLookups, CountOnlyTheMoversVolumes) {
     EXPECT_EQ(moving + walk.masks.cost().vertexRuns, all);
 }
 
+TEST(MoverLookups, StayRightWhenCastersAreMerged) {
+    const gl::HeadlessContext context({hostWidth, hostHeight});
+    ShadowMasks masks(eglLookUp);
+    const MaskView view = viewOf(corner);
+    const MaskLight light = hostLight(lights()[0]);
+    const Scene still = yard().scene();
+    const Scene box = SceneBuilder().box({-0.1f, 0.0f, -0.1f}, {0.1f, 0.3f, 0.1f}).scene();
+    const auto placeOf = [](int i, double lift) {
+        return numbersOf(glm::translate(glm::dmat4(1.0),
+                                        {-3.0 + 0.7 * (i % 8), 1.2 + lift, -2.5 + 0.8 * (i / 8)}));
+    };
+    masks.add(meshOf(geometryOf(still)));
+    const PreparedMesh prepared(meshOf(geometryOf(box)));
+    std::vector<Matrix16> places;
+    std::vector<ShadowMasks::Id> boxes;
+    const auto addBox = [&] {
+        places.push_back(placeOf(static_cast<int>(places.size()), 0.0));
+        boxes.push_back(masks.add(prepared, places.back()));
+    };
+    const auto rest = [&] {
+        for (int i = 0; i < 40; ++i)
+            masks.draw(view, {&light, 1});
+    };
+    while (places.size() < 16)
+        addBox();
+    rest();
+    const std::size_t merged = masks.cost().batches;
+    EXPECT_LT(merged, 16u);
+    const auto id = lookedUp(masks, light);
+    const auto isRight = [&](std::size_t movers) {
+        masks.draw(view, {&light, 1});
+        const Mask wanted = readMask(masks, 0);
+        EXPECT_EQ(masks.state(id, light).movers, movers);
+        masks.draw(view, {&light, 1}, {&id, 1});
+        Mask both = readMask(masks, 0);
+        HostPicture picture(masks, id, light, view, {});
+        picture.draw(geometryOf(still), identity16, true);
+        for (const Matrix16& place : places)
+            picture.draw(geometryOf(box), place, true);
+        const Mask looked = redOf(context);
+        for (std::size_t i = 0; i < both.size(); ++i)
+            both[i] = std::min(both[i], looked[i]);
+        EXPECT_EQ(compared(both, wanted).beyond, 0u) << movers << " movers";
+    };
+    isRight(0);
+    while (places.size() < 20)
+        addBox(); // after the map
+    isRight(4);
+    rest();
+    masks.draw(view, {&light, 1}, {&id, 1});
+    EXPECT_LE(masks.cost().batches, merged + 1) << "they are merged, too";
+    isRight(4);
+    masks.move(boxes.back(), places.back() = placeOf(19, 0.4)); // splits them again
+    isRight(4);
+}
+
 TEST(MoverLookups, EndOnceACasterAtRestStarts) {
     const gl::HeadlessContext context({hostWidth, hostHeight});
     Walk walk(context);
