@@ -2,6 +2,7 @@
 #include "src/cli/commands.hpp"
 #include "src/cli/report.hpp"
 #include "src/cli/sunhours_options.hpp"
+#include "src/cli/sunhours_surfaces.hpp"
 
 #include <memory>
 
@@ -9,6 +10,7 @@
 #include "preprocess/mesh/topology.hpp"
 #include "preprocess/reading/scene_names.hpp"
 #include "src/cli/draw_settings.hpp"
+#include "src/cli/scene_hash.hpp"
 #include "src/cli/sunhours_files.hpp"
 #include "src/gl/headless_context.hpp"
 #include "src/hours/part_file.hpp"
@@ -18,7 +20,6 @@
 #include "src/render/accumulation/direction_counts.hpp"
 #include "src/shadow/view/plan_view.hpp"
 
-#include <cstring>
 #include <glm/gtc/type_ptr.hpp>
 #endif
 
@@ -40,25 +41,6 @@ Json cameraJson(const Frustum& frustum) {
     else
         camera["fov"] = glm::degrees(2.0 * std::atan(0.5 * frustum.size().y));
     return camera;
-}
-
-/// A hash of all triangles and their positions: 64-bit FNV-1a, 16 digits.
-std::string hashOf(const Scene& scene) {
-    std::uint64_t hash = 0xCBF29CE484222325;
-    const auto add = [&hash](const auto& values) {
-        const auto* bytes = reinterpret_cast<const unsigned char*>(values.data());
-        for (std::size_t i = 0; i < values.size() * sizeof(values[0]); ++i)
-            hash = (hash ^ bytes[i]) * 0x100000001B3;
-    };
-    for (const Batch& batch : scene.batches) {
-        const double* matrix = glm::value_ptr(batch.worldFromBatch);
-        add(std::span(matrix, 16));
-        add(batch.geometry->positions);
-        add(batch.geometry->indices);
-    }
-    char text[17];
-    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-    return text;
 }
 
 FrameRequest requestOf(const SunHoursOptions& options, const Scene& scene) {
@@ -145,17 +127,7 @@ void addSurfaces(const LoadedScene& loaded, const FrameRequest& request,
 void sunHours(const SunHoursOptions& options) {
     const hours::Schedule schedule = options.schedule();
     const std::vector<hours::Position> positions = hours::positionsOf(schedule);
-    LoadedScene loaded = options.load(Shading::base, ShadowMethod::volumes, false);
-    Warnings& warnings = loaded.scene.warnings;
-    if (positions.empty())
-        warnings.add("The sun is never higher than " +
-                     CLI::detail::to_string(schedule.minAltitude) +
-                     " degrees in these hours, so there are no hours of sun.");
-    if (const std::string about = options.dateWarning(); !about.empty()) warnings.add(about);
-    printWarnings(warnings.sentences());
-    if (!options.offset)
-        printProgress("Clock: UTC" + sun::textOf(schedule.offset) +
-                      ", by the longitude; --utc-offset sets another.");
+    const LoadedScene loaded = options.loadForHours(schedule, positions);
     const FrameRequest request = requestOf(options, loaded.scene);
 
     hours::Part part;
@@ -164,7 +136,7 @@ void sunHours(const SunHoursOptions& options) {
     part.settings = options.settingsJson(schedule, loaded.scene);
     part.camera = cameraJson(request.frustum);
     part.scene = hashOf(loaded.scene);
-    part.warnings = warnings.sentences();
+    part.warnings = loaded.scene.warnings.sentences();
     part.positionsOfRun = positions.size();
     part.positions = partOf(positions, part.number, part.of);
     part.offset = schedule.offset;
@@ -204,6 +176,15 @@ void sunHours(const SunHoursOptions&) {
 
 #endif
 
+/// Throws Error(usage) for files that only --surfaces writes.
+void requirePicture(const SunHoursFiles& files) {
+    if (!files.more.empty()) throw Error(ExitStatus::usage, "OUT: several files need --surfaces.");
+    for (const char* end : {".glb", ".csv", ".npy"})
+        if (files.picture.ends_with(end))
+            throw Error(ExitStatus::usage,
+                        "OUT: '" + files.picture + "' needs --surfaces; a picture is a .png.");
+}
+
 } // namespace
 
 void addSunHoursCommand(CLI::App& program) {
@@ -212,7 +193,14 @@ void addSunHoursCommand(CLI::App& program) {
         "Count the hours of sunlight on each visible surface, as a picture and a report");
     const auto options = std::make_shared<SunHoursOptions>();
     addSceneFile(*verb, *options)->required();
-    verb->add_option("OUT", options->files.picture, "The picture, .png, or the part of --part")
+    verb->add_option_function<std::vector<std::string>>(
+            "OUT",
+            [options](const std::vector<std::string>& paths) {
+                options->files.picture = paths.front();
+                options->files.more.assign(paths.begin() + 1, paths.end());
+            },
+            "The picture, .png, or the part of --part; with --surfaces .glb, .csv, .npy, or "
+            "several")
         ->required();
     addSunHoursOptions(*verb, *options);
     verb->callback([options] {
@@ -220,6 +208,8 @@ void addSunHoursCommand(CLI::App& program) {
             throw Error(ExitStatus::usage,
                         "--cast-cutouts does not go with sunhours, whose shadow volumes count no "
                         "cutouts; --cast-masked casts whole triangles.");
+        if (options->surface.surfaces) return sunHoursOfSurfaces(*options);
+        requirePicture(options->files);
         sunHours(*options);
     });
 }

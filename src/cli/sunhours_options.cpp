@@ -2,6 +2,7 @@
 
 #include "src/cli/add_options.hpp"
 #include "src/cli/number_text.hpp"
+#include "src/cli/report.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -106,6 +107,28 @@ void addThresholds(CLI::App& verb, SunHoursOptions& options) {
 
 } // namespace
 
+std::vector<std::string> SunHoursFiles::all() const {
+    std::vector<std::string> paths = {picture};
+    paths.insert(paths.end(), more.begin(), more.end());
+    return paths;
+}
+
+LoadedScene SunHoursOptions::loadForHours(const hours::Schedule& schedule,
+                                          std::span<const hours::Position> positions) const {
+    LoadedScene loaded = load(Shading::base, ShadowMethod::volumes, false);
+    Warnings& warnings = loaded.scene.warnings;
+    if (positions.empty())
+        warnings.add("The sun is never higher than " +
+                     CLI::detail::to_string(schedule.minAltitude) +
+                     " degrees in these hours, so there are no hours of sun.");
+    if (const std::string about = dateWarning(); !about.empty()) warnings.add(about);
+    printWarnings(warnings.sentences());
+    if (!offset)
+        printProgress("Clock: UTC" + sun::textOf(schedule.offset) +
+                      ", by the longitude; --utc-offset sets another.");
+    return loaded;
+}
+
 hours::Schedule SunHoursOptions::schedule() const {
     hours::Schedule schedule = typed;
     schedule.place = *place;
@@ -197,6 +220,7 @@ void addSunHoursOptions(CLI::App& verb, SunHoursOptions& options) {
     addOption(verb, "--part", [&](const std::string& text) { options.part = partFrom(text); })
         ->excludes(verb.get_option("--counts"))
         ->excludes(verb.get_option("--report"));
+    addSurfaceOptions(verb, options.surface);
 }
 
 } // namespace edgeshade::cli

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "src/cli/options.hpp"
+#include "src/cli/surface_options.hpp"
 #include "src/hours/part.hpp"
 #include "src/hours/preset.hpp"
 #include "src/hours/schedule.hpp"
@@ -14,9 +15,13 @@ namespace edgeshade::cli {
 
 /// The output files for hours of sunlight.
 struct SunHoursFiles {
-    std::string picture; ///< .png
-    std::string counts;  ///< .png; empty: none
-    std::string report;  ///< empty: none
+    std::string picture;           ///< .png; with --surfaces the first of the files
+    std::string counts;            ///< .png; empty: none
+    std::string report;            ///< empty: none
+    std::vector<std::string> more; ///< with --surfaces: the files after the first
+
+    /// The first file and those after it.
+    std::vector<std::string> all() const;
 };
 
 /// Options of `sunhours`, as typed.
@@ -31,6 +36,7 @@ struct SunHoursOptions : SceneOptions {
     std::optional<double> threshold; ///< hours per day
     const hours::Preset* preset = nullptr;
     std::vector<hours::ProbePoint> probes;
+    SurfaceOptions surface;
     std::optional<std::pair<std::size_t, std::size_t>> part; ///< K of N
 
     /// Throws Error(usage) if no date was typed, and for options that don't go together.
@@ -38,6 +44,10 @@ struct SunHoursOptions : SceneOptions {
     std::optional<double> hoursWanted() const;
     /// Warning if --preset does not suit the dates; empty: none.
     std::string dateWarning() const;
+    /// Loads the scene, and prints its warnings and those about dates and clock. `positions`: those
+    /// of the schedule.
+    LoadedScene loadForHours(const hours::Schedule& schedule,
+                             std::span<const hours::Position> positions) const;
     /// The settings that reports and merging need. `schedule`: from schedule(). `scene`: as loaded.
     nlohmann::ordered_json settingsJson(const hours::Schedule& schedule, const Scene& scene) const;
 };

@@ -32,14 +32,14 @@ struct CellFace {
 struct SurfaceCells {
     static constexpr std::uint32_t none = 0xFFFFFFFF;
 
-    std::vector<SurfaceTriangle> triangles;
+    std::vector<WorldTriangle> triangles;
     std::vector<std::uint32_t> patchOf; ///< number of each triangle's patch; none: it has no area
     std::vector<Cell> cells;            ///< patch after patch, in rows
     std::vector<CellFace> faces;
     std::vector<glm::dvec3> corners;
     double offset = 0.0; ///< of sensors from their triangles
 
-    const SurfaceTriangle& triangleOf(const Cell& cell) const { return triangles[cell.triangle]; }
+    const WorldTriangle& triangleOf(const Cell& cell) const { return triangles[cell.triangle]; }
     /// The point of its triangle that the sensor is over.
     glm::dvec3 footOf(const Cell& cell) const { return cell.point - offset * cell.normal; }
 };
@@ -52,13 +52,5 @@ struct GridSettings {
     double width = 0.5;
     double offset = 0.0; ///< of sensors from their triangles, along the normal; 0 or more
 };
-
-/// Divides each patch's rectangle along its axes into equal cells, and cuts the patch by them.
-/// Areas are those of the triangles, so they sum up to the mesh's own. A sensor is in the middle of
-/// its cell, a hair beside the edges of triangles. If the middle is off the patch, the sensor is in
-/// the middle of the cell's part, or else in that of the part's largest face.
-///
-/// Throws Error(usage) naming --grid: more than mostCells, or cells too small for the scene.
-SurfaceCells cellsOf(const Scene& scene, const SurfaceChoice& choice, const GridSettings& grid);
 
 } // namespace edgeshade::hours

@@ -29,7 +29,7 @@ constexpr std::array<glm::dvec2, 3> slants = {
 
 /// Where the line from `point` meets the triangle's plane, in lengths of `direction`; no value if
 /// it misses the triangle.
-std::optional<double> meetingOf(const SurfaceTriangle& triangle, const glm::dvec3& point,
+std::optional<double> meetingOf(const WorldTriangle& triangle, const glm::dvec3& point,
                                 const glm::dvec3& direction) {
     const glm::dvec3 a = triangle.a - point, b = triangle.b - point, c = triangle.c - point;
     const double ab = glm::dot(direction, glm::cross(a, b)),
@@ -45,7 +45,7 @@ std::optional<double> meetingOf(const SurfaceTriangle& triangle, const glm::dvec
 
 class LeftOut {
   public:
-    LeftOut(const SurfaceCells& cells, std::span<const SurfaceTriangle> solids)
+    LeftOut(const SurfaceCells& cells, std::span<const WorldTriangle> solids)
         : cells_(cells), solids_(solids), tolerance_(onPlane * reachOf(cells.triangles, solids)),
           chosenBoxes_(cells.triangles, tolerance_), solidBoxes_(solids, tolerance_) {}
 
@@ -55,11 +55,11 @@ class LeftOut {
     }
 
   private:
-    static double reachOf(std::span<const SurfaceTriangle> some,
-                          std::span<const SurfaceTriangle> more) {
+    static double reachOf(std::span<const WorldTriangle> some,
+                          std::span<const WorldTriangle> more) {
         double farthest = 0.0;
         for (const auto& triangles : {some, more})
-            for (const SurfaceTriangle& triangle : triangles)
+            for (const WorldTriangle& triangle : triangles)
                 for (const glm::dvec3& corner : {triangle.a, triangle.b, triangle.c})
                     farthest = std::max(farthest, largestComponent(corner));
         return farthest;
@@ -96,7 +96,7 @@ class LeftOut {
         chosenBoxes_.forPoint(foot, [&](std::uint32_t t) {
             if (within || t >= cell.triangle || cells_.patchOf[t] == cells_.patchOf[cell.triangle])
                 return;
-            const SurfaceTriangle& other = cells_.triangles[t];
+            const WorldTriangle& other = cells_.triangles[t];
             const glm::dvec3 normal = normalOf(other);
             const double length = glm::length(normal);
             if (!(length > 0.0) || glm::dot(normal, cell.normal) < sameFacing * length) return;
@@ -108,20 +108,20 @@ class LeftOut {
     }
 
     const SurfaceCells& cells_;
-    std::span<const SurfaceTriangle> solids_;
+    std::span<const WorldTriangle> solids_;
     double tolerance_; ///< in scene units
     TriangleBoxes chosenBoxes_, solidBoxes_;
 };
 
 void addSolids(const Scene& scene, std::uint32_t number, bool castMasked,
-               std::vector<SurfaceTriangle>& to) {
+               std::vector<WorldTriangle>& to) {
     const Batch& batch = scene.batches[number];
     const Geometry& geometry = *batch.geometry;
     const Casters casters = castingSurfacesOf(geometry, scene.materials, castMasked);
     const WeldedMesh mesh = weld(geometry.positions, casters.indices);
     const Components components = findComponents(mesh, buildEdges(mesh));
     const bool mirrored = batch.isMirrored();
-    SurfaceTriangle triangle;
+    WorldTriangle triangle;
     triangle.batch = number;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         if (components.closed[components.ofTriangle[t]] == 0) continue;
@@ -138,15 +138,15 @@ void addSolids(const Scene& scene, std::uint32_t number, bool castMasked,
 
 } // namespace
 
-std::vector<SurfaceTriangle> solidSurfaces(const Scene& scene, bool castMasked) {
-    std::vector<SurfaceTriangle> solids;
+std::vector<WorldTriangle> solidSurfaces(const Scene& scene, bool castMasked) {
+    std::vector<WorldTriangle> solids;
     for (std::uint32_t b = 0; b < scene.batches.size(); ++b)
         if (!scene.batches[b].ground && !scene.batches[b].hidden)
             addSolids(scene, b, castMasked, solids);
     return solids;
 }
 
-void markLeftOut(SurfaceCells& cells, std::span<const SurfaceTriangle> solids) {
+void markLeftOut(SurfaceCells& cells, std::span<const WorldTriangle> solids) {
     const LeftOut leftOut(cells, solids);
     forEachItem(cells.cells.size(), cellsOfThread, {},
                 [&](std::size_t i) { cells.cells[i].state = leftOut.stateOf(cells.cells[i]); });

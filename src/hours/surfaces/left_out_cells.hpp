@@ -6,7 +6,7 @@ namespace edgeshade::hours {
 
 /// The triangles of all closed components of opaque casters, chosen or not, in the world.
 /// `castMasked` as in CasterSettings.
-std::vector<SurfaceTriangle> solidSurfaces(const Scene& scene, bool castMasked);
+std::vector<WorldTriangle> solidSurfaces(const Scene& scene, bool castMasked);
 
 /// Marks the cells that are left out of shares.
 ///
@@ -18,6 +18,6 @@ std::vector<SurfaceTriangle> solidSurfaces(const Scene& scene, bool castMasked);
 /// the same way and holds the sensor.
 ///
 /// A point on a plane, here, is nearer to it than a file's floats can tell.
-void markLeftOut(SurfaceCells& cells, std::span<const SurfaceTriangle> solids);
+void markLeftOut(SurfaceCells& cells, std::span<const WorldTriangle> solids);
 
 } // namespace edgeshade::hours

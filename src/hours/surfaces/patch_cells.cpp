@@ -61,7 +61,7 @@ class PatchGrid {
     }
 
     PlanePolygon polygonOf(std::uint32_t t) const {
-        const SurfaceTriangle& triangle = to_.triangles[t];
+        const WorldTriangle& triangle = to_.triangles[t];
         return {onPlane(triangle.a), onPlane(triangle.b), onPlane(triangle.c)};
     }
 
@@ -162,7 +162,7 @@ class PatchGrid {
 
     /// The point of the triangle, in the world, at a place of the plane.
     glm::dvec3 onTriangle(std::uint32_t t, const glm::dvec2& place) const {
-        const SurfaceTriangle& triangle = to_.triangles[t];
+        const WorldTriangle& triangle = to_.triangles[t];
         const glm::dvec3 normal = normalOf(triangle);
         const glm::dvec3 point = patch_.origin + place.x * patch_.right + place.y * patch_.up;
         const double slope = glm::dot(normal, patch_.normal);

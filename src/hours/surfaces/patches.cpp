@@ -20,12 +20,12 @@ constexpr double levelSlope = 1e-3;
 class BatchMesh {
   public:
     /// `first`: index of the first of `triangles` among all that are chosen.
-    BatchMesh(const Batch& batch, std::span<const SurfaceTriangle> triangles, std::uint32_t first,
+    BatchMesh(const Batch& batch, std::span<const WorldTriangle> triangles, std::uint32_t first,
               double flatness)
         : triangles_(triangles), first_(first), flatness_(flatness), linear_(batch.worldFromBatch) {
         std::vector<std::uint32_t> indices;
         indices.reserve(3 * triangles.size());
-        for (const SurfaceTriangle& triangle : triangles)
+        for (const WorldTriangle& triangle : triangles)
             for (std::uint32_t corner = 0; corner < 3; ++corner)
                 indices.push_back(batch.geometry->indices[triangle.firstIndex + corner]);
         mesh_ = weld(batch.geometry->positions, indices);
@@ -56,7 +56,7 @@ class BatchMesh {
     }
 
   private:
-    const SurfaceTriangle& surface(std::uint32_t t) const { return triangles_[mesh_.source[t]]; }
+    const WorldTriangle& surface(std::uint32_t t) const { return triangles_[mesh_.source[t]]; }
 
     void findEdgesOfTriangles() {
         edgesOf_.assign(mesh_.triangles.size(), {});
@@ -68,7 +68,7 @@ class BatchMesh {
 
     Patch patchFrom(std::uint32_t seed, const std::vector<double>& areas,
                     std::vector<std::uint8_t>& taken) const {
-        const SurfaceTriangle& model = surface(seed);
+        const WorldTriangle& model = surface(seed);
         Patch patch;
         patch.origin = model.a;
         patch.normal = normalOf(model) / (2.0 * areas[seed]);
@@ -77,7 +77,7 @@ class BatchMesh {
                       glm::length(model.a - model.c)});
         const double height = 2.0 * areas[seed] / longest;
         const auto fits = [&](std::uint32_t t) {
-            const SurfaceTriangle& other = surface(t);
+            const WorldTriangle& other = surface(t);
             if (other.node != model.node || other.material != model.material || !(areas[t] > 0.0) ||
                 glm::dot(normalOf(other), patch.normal) <= 0.0)
                 return false;
@@ -143,7 +143,7 @@ class BatchMesh {
         return along.x + 1e-9 * along.z < 0.0 ? -along : along;
     }
 
-    std::span<const SurfaceTriangle> triangles_;
+    std::span<const WorldTriangle> triangles_;
     std::uint32_t first_;
     double flatness_, rounding_ = 0.0;
     glm::dmat3 linear_;
@@ -154,7 +154,7 @@ class BatchMesh {
 
 } // namespace
 
-std::vector<Patch> patchesOf(const Scene& scene, std::span<const SurfaceTriangle> triangles,
+std::vector<Patch> patchesOf(const Scene& scene, std::span<const WorldTriangle> triangles,
                              double flatness) {
     std::vector<Patch> patches;
     for (std::size_t first = 0; first < triangles.size();) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/hours/surfaces/surface_triangles.hpp"
+#include "src/hours/surfaces/world_triangles.hpp"
 
 #include <span>
 
@@ -20,8 +20,8 @@ struct Patch {
 /// rounding of a file's floats explains: this grows with the distance from that triangle, up to
 /// `flatness` (scene units, above 0). Triangles without area are in no patch.
 ///
-/// `triangles`: the scene's, from surfaceTriangles().
-std::vector<Patch> patchesOf(const Scene& scene, std::span<const SurfaceTriangle> triangles,
+/// `triangles`: the scene's, from worldTriangles().
+std::vector<Patch> patchesOf(const Scene& scene, std::span<const WorldTriangle> triangles,
                              double flatness);
 
 } // namespace edgeshade::hours

@@ -12,7 +12,7 @@ namespace {
 /// Growth of boxes, as a share of the coordinates.
 constexpr double boxRounding = 1e-12;
 
-Box boxOf(const SurfaceTriangle& triangle) {
+Box boxOf(const WorldTriangle& triangle) {
     Box box;
     for (const glm::dvec3& corner : {triangle.a, triangle.b, triangle.c})
         box.add(corner);
@@ -21,10 +21,10 @@ Box boxOf(const SurfaceTriangle& triangle) {
 
 } // namespace
 
-TriangleBoxes::TriangleBoxes(std::span<const SurfaceTriangle> triangles, double margin)
+TriangleBoxes::TriangleBoxes(std::span<const WorldTriangle> triangles, double margin)
     : boxes_(triangles.size()) {
     Box all;
-    for (const SurfaceTriangle& triangle : triangles)
+    for (const WorldTriangle& triangle : triangles)
         all.add(boxOf(triangle));
     std::vector<std::uint64_t> codes;
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {

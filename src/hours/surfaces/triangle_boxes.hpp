@@ -1,7 +1,7 @@
 #pragma once
 
 #include "preprocess/base/function_ref.hpp"
-#include "src/hours/surfaces/surface_triangles.hpp"
+#include "src/hours/surfaces/world_triangles.hpp"
 #include "src/shadow/geometry/box_tree.hpp"
 
 #include <span>
@@ -15,7 +15,7 @@ class TriangleBoxes {
     using Use = FunctionRef<void(std::uint32_t triangle)>;
 
     /// `margin`: distance from triangles within which forPoint() still finds them, 0 or more.
-    TriangleBoxes(std::span<const SurfaceTriangle> triangles, double margin);
+    TriangleBoxes(std::span<const WorldTriangle> triangles, double margin);
 
     /// Calls use() for all triangles whose boxes hold the point, and perhaps others.
     void forPoint(const glm::dvec3& point, Use use) const;

@@ -1,5 +1,6 @@
 #include "src/hours/surfaces/left_out_cells.hpp"
 
+#include "src/hours/surfaces/division.hpp"
 #include "tests/support/scene_builder.hpp"
 
 #include <algorithm>

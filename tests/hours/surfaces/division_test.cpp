@@ -1,4 +1,4 @@
-#include "src/hours/surfaces/cells.hpp"
+#include "src/hours/surfaces/division.hpp"
 
 #include "preprocess/base/error.hpp"
 #include "tests/support/scene_builder.hpp"
@@ -28,7 +28,7 @@ double sumOfAreas(const SurfaceCells& cells) {
 double areaOfMesh(const SurfaceCells& cells) {
     return std::accumulate(
         cells.triangles.begin(), cells.triangles.end(), 0.0,
-        [](double sum, const SurfaceTriangle& triangle) { return sum + areaOf(triangle); });
+        [](double sum, const WorldTriangle& triangle) { return sum + areaOf(triangle); });
 }
 
 /// Twice the area of a cell's faces, from their corners.
@@ -46,7 +46,7 @@ double areaOfFaces(const SurfaceCells& cells, const Cell& cell) {
 
 /// Distance from a point to the plane of its triangle, and whether it is within the triangle.
 void expectOnTriangle(const SurfaceCells& cells, const Cell& cell, double tolerance) {
-    const SurfaceTriangle& triangle = cells.triangleOf(cell);
+    const WorldTriangle& triangle = cells.triangleOf(cell);
     const glm::dvec3 normal = glm::normalize(normalOf(triangle));
     const glm::dvec3 foot = cells.footOf(cell);
     EXPECT_NEAR(glm::dot(normal, foot - triangle.a), 0.0, tolerance);

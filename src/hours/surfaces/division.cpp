@@ -1,4 +1,4 @@
-#include "src/hours/surfaces/cells.hpp"
+#include "src/hours/surfaces/division.hpp"
 
 #include "src/hours/surfaces/patch_cells.hpp"
 
@@ -13,7 +13,7 @@ constexpr double bendShare = 0.01;
 SurfaceCells cellsOf(const Scene& scene, const SurfaceChoice& choice, const GridSettings& grid) {
     SurfaceCells cells;
     cells.offset = grid.offset;
-    cells.triangles = surfaceTriangles(scene, choice);
+    cells.triangles = worldTriangles(scene, choice);
     cells.patchOf.assign(cells.triangles.size(), SurfaceCells::none);
     std::uint32_t number = 0;
     for (const Patch& patch : patchesOf(scene, cells.triangles, bendShare * grid.width)) {

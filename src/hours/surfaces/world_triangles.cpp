@@ -1,4 +1,4 @@
-#include "src/hours/surfaces/surface_triangles.hpp"
+#include "src/hours/surfaces/world_triangles.hpp"
 
 #include <utility>
 
@@ -6,7 +6,7 @@ namespace edgeshade::hours {
 namespace {
 
 void addBatch(const Scene& scene, std::uint32_t number, const SurfaceChoice& choice,
-              std::vector<SurfaceTriangle>& to) {
+              std::vector<WorldTriangle>& to) {
     const Batch& batch = scene.batches[number];
     const Geometry& geometry = *batch.geometry;
     const bool mirrored = batch.isMirrored();
@@ -14,7 +14,7 @@ void addBatch(const Scene& scene, std::uint32_t number, const SurfaceChoice& cho
         const glm::vec3& at = geometry.positions[geometry.indices[index]];
         return glm::dvec3(batch.worldFromBatch * glm::dvec4(at, 1.0));
     };
-    SurfaceTriangle triangle;
+    WorldTriangle triangle;
     triangle.batch = number;
     for (const SurfaceGroup& group : geometry.groups) {
         triangle.material = static_cast<std::uint32_t>(group.material);
@@ -33,8 +33,8 @@ void addBatch(const Scene& scene, std::uint32_t number, const SurfaceChoice& cho
 
 } // namespace
 
-std::vector<SurfaceTriangle> surfaceTriangles(const Scene& scene, const SurfaceChoice& choice) {
-    std::vector<SurfaceTriangle> triangles;
+std::vector<WorldTriangle> worldTriangles(const Scene& scene, const SurfaceChoice& choice) {
+    std::vector<WorldTriangle> triangles;
     for (std::uint32_t b = 0; b < scene.batches.size(); ++b)
         if (!scene.batches[b].ground && !scene.batches[b].hidden)
             addBatch(scene, b, choice, triangles);

@@ -1,0 +1,144 @@
+#include "src/cli/sunhours_surfaces.hpp"
+
+#include "preprocess/base/error.hpp"
+#include "preprocess/reading/scene_names.hpp"
+#include "src/cli/number_text.hpp"
+#include "src/cli/report.hpp"
+#include "src/cli/scene_hash.hpp"
+#include "src/cli/sensor_rays.hpp"
+#include "src/cli/surface_choice.hpp"
+#include "src/cli/surface_files.hpp"
+#include "src/hours/surfaces/bits_npy.hpp"
+#include "src/hours/surfaces/division.hpp"
+#include "src/hours/surfaces/left_out_cells.hpp"
+#include "src/hours/surfaces/surface_report.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace edgeshade::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Days from which tables have columns by month.
+constexpr std::size_t daysOfYear = 365;
+
+/// Shares of the progress bar at which stages begin.
+constexpr double raysFrom = 0.05, filesFrom = 0.95;
+
+hours::SurfaceCells divide(const SunHoursOptions& options, const LoadedScene& loaded) {
+    const SurfaceOptions& typed = options.surface;
+    const double scale = 1.0 / typed.unit;
+    hours::SurfaceCells cells =
+        hours::cellsOf(loaded.scene, surfaceChoice(*loaded.document, typed.nodes, typed.materials),
+                       {typed.grid * scale, typed.offset * scale});
+    if (cells.cells.empty())
+        throw Error(ExitStatus::usage, std::string(typed.nodes.empty() && typed.materials.empty()
+                                                       ? "--surfaces"
+                                                       : "--nodes and --materials") +
+                                           ": there is no surface of that choice.");
+    hours::markLeftOut(cells, hours::solidSurfaces(loaded.scene, loaded.settings.castMasked));
+    return cells;
+}
+
+void addNames(const LoadedScene& loaded, hours::SurfaceRun& run) {
+    for (const hours::WorldTriangle& triangle : run.cells.triangles) {
+        if (!run.nodes.contains(triangle.node))
+            run.nodes[triangle.node] = nodeTitle(*loaded.document, triangle.node);
+        if (!run.materials.contains(triangle.material))
+            run.materials[triangle.material] = materialTitle(*loaded.document, triangle.material);
+    }
+}
+
+hours::LightQuestion questionOf(const SunHoursOptions& options, const hours::Schedule& schedule,
+                                const hours::SurfaceRun& run) {
+    hours::LightQuestion question;
+    question.positions = run.positions;
+    question.step = schedule.step;
+    question.offset = schedule.offset;
+    question.months = schedule.days() >= daysOfYear;
+    question.bits = std::ranges::any_of(options.files.all(), [](const std::string& path) {
+        return surfaceFileOf(path) == SurfaceFile::npy;
+    });
+    const std::size_t rows = run.cells.cells.size(),
+                      bytes = hours::bytesOfRow(run.positions.size());
+    if (question.bits && bytes > 0 && rows > hours::mostBytesOfBits / bytes)
+        throw Error(ExitStatus::usage,
+                    "OUT: the .npy file of " + std::to_string(rows) + " cells and " +
+                        std::to_string(run.positions.size()) +
+                        " sun positions would exceed 4 GiB; take a larger --grid or a longer "
+                        "--step.");
+    return question;
+}
+
+/// "; 12 cells (3 m²) inside solids left out"; empty: there are none.
+std::string leftOutText(const Json& of, const char* where) {
+    if (of["cells"] == 0) return "";
+    return "; " + std::to_string(of["cells"].get<std::size_t>()) + " cells (" +
+           shortText(of["area"].get<double>()) + " m²) " + where + " left out";
+}
+
+std::string summaryOf(const hours::SurfaceRun& run, const Json& report) {
+    char text[240];
+    std::snprintf(text, sizeof text,
+                  ": %zu cells on %.6g m², %zu sun positions, UTC%s; hours of sun %.4g to %.4g, "
+                  "mean %.4g",
+                  run.cells.cells.size(), report["area"].get<double>(), run.positions.size(),
+                  sun::textOf(run.offset).c_str(), report["hours"]["min"].get<double>(),
+                  report["hours"]["max"].get<double>(), report["hours"]["mean"].get<double>());
+    std::string all = text;
+    if (report.contains("area_above_threshold_percent")) {
+        std::snprintf(text, sizeof text, "; the threshold is met on %.1f %% of the area",
+                      report["area_above_threshold_percent"].get<double>());
+        all += text;
+    }
+    return all + leftOutText(report["inside_solids"], "inside solids") +
+           leftOutText(report["within_others"], "on others");
+}
+
+} // namespace
+
+void sunHoursOfSurfaces(const SunHoursOptions& options) {
+    for (const std::string& path : options.files.all())
+        surfaceFileOf(path);
+    const hours::Schedule schedule = options.schedule();
+    hours::SurfaceRun run;
+    run.positions = hours::positionsOf(schedule);
+    run.step = schedule.step;
+    run.offset = schedule.offset;
+    run.unit = options.surface.unit;
+
+    const LoadedScene loaded = options.loadForHours(schedule, run.positions);
+    ProgressBar bar;
+    bar.show(0.0, "dividing surfaces");
+    run.cells = divide(options, loaded);
+    addNames(loaded, run);
+    run.settings = options.settingsJson(schedule, loaded.scene);
+    run.settings["surfaces"] = options.surface.json();
+    run.scene = hashOf(loaded.scene);
+    run.warnings = loaded.scene.warnings.sentences();
+
+    const std::string doing = std::to_string(run.cells.cells.size()) + " cells, " +
+                              std::to_string(run.positions.size()) + " sun positions";
+    run.light = hours::lightOf(run.cells, questionOf(options, schedule, run), sensorLight(loaded),
+                               [&](double share) {
+                                   bar.show(raysFrom + (filesFrom - raysFrom) * share,
+                                            "tracing rays to " + doing, "tracing rays to " + doing);
+                               });
+
+    bar.show(filesFrom, "making files");
+    // Make everything before writing anything.
+    const Json report = hours::surfaceReportOf(
+        run, hours::hoursSettings(JsonField(options.input, run.settings, "settings")));
+    std::vector<MadeFile> files;
+    for (const std::string& path : options.files.all())
+        files.push_back(makeSurfaceFile(path, run, options.surface.when));
+    for (const MadeFile& file : files)
+        writeFile(file.path, file.bytes);
+    bar.show(1.0, "done");
+    printResult(options.files.picture + summaryOf(run, report), options.files.report);
+    writeReport(report, options.files.report);
+}
+
+} // namespace edgeshade::cli

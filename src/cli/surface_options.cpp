@@ -1,0 +1,37 @@
+#include "src/cli/surface_options.hpp"
+
+#include "src/cli/add_options.hpp"
+
+namespace edgeshade::cli {
+namespace {
+
+/// Options of pictures, which surfaces have no use for.
+constexpr const char* ofPictures[] = {
+    "--size",   "--camera",  "--camera-from", "--camera-to",    "--camera-matrix",
+    "--fov",    "--ortho",   "--near",        "--plan",         "--cull",
+    "--ground", "--section", "--section-box", "--section-fill", "--section-shadows",
+    "--counts", "--part",    "--at",          "--gl-limits"};
+
+} // namespace
+
+nlohmann::ordered_json SurfaceOptions::json() const {
+    return {{"grid", grid},
+            {"offset", offset},
+            {"unit", unit},
+            {"nodes", nodes},
+            {"materials", materials}};
+}
+
+void addSurfaceOptions(CLI::App& verb, SurfaceOptions& options) {
+    CLI::Option* const surfaces = verb.add_flag("--surfaces", options.surfaces);
+    for (const char* name : ofPictures)
+        surfaces->excludes(verb.get_option(name));
+    addNumber(verb, "--grid", options.grid)->needs(surfaces);
+    addNumber(verb, "--offset", options.offset)->needs(surfaces);
+    addNumber(verb, "--unit", options.unit)->needs(surfaces);
+    addTexts(verb, "--nodes", options.nodes)->needs(surfaces);
+    addTexts(verb, "--materials", options.materials)->needs(surfaces);
+    verb.add_flag("--when", options.when)->needs(surfaces);
+}
+
+} // namespace edgeshade::cli

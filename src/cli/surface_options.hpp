@@ -1,0 +1,26 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace edgeshade::cli {
+
+/// The options of `sunhours` that go with --surfaces, as typed.
+struct SurfaceOptions {
+    bool surfaces = false;
+    double grid{};                             ///< metres, above 0
+    double offset{};                           ///< metres, 0 or more
+    double unit{};                             ///< metres that a scene unit is, above 0
+    std::vector<std::string> nodes, materials; ///< names; empty: all
+    bool when = false;
+
+    /// {"grid", "offset", "unit", "nodes", "materials"}, as in reports.
+    nlohmann::ordered_json json() const;
+};
+
+/// Adds the options to `sunhours`, which has all others already; `options` must outlive parsing.
+void addSurfaceOptions(CLI::App& verb, SurfaceOptions& options);
+
+} // namespace edgeshade::cli
