@@ -101,7 +101,7 @@ const std::vector<Option> picture = {
      "auto; off with --layout published or brute-force", sees,
      "Whether materials that aren't double-sided are invisible from behind",
      "Both sides cast shadows either way."},
-    {"--section NX,NY,NZ,D", "", Where(sees, render | compare | view | sunhours),
+    {"--section NX,NY,NZ,D", "", Where(sees, render | compare | view),
      "Cut the scene open along a plane; may be repeated",
      "It keeps the points where NX*x + NY*y + NZ*z + D is 0 or more, for at most 6 planes. The "
      "ground isn't cut."},
@@ -238,7 +238,7 @@ const std::vector<Option> sunlight = {
      "Those of nodes beneath it belong to it."},
     {"--materials NAME", "all", sunhours, "Measure the surfaces of this material; may be repeated"},
     {"--when", sunhours, "Add the first and the last time of sun to tables"},
-    {"--counts OUT.png", "", usual(sunhours | merge),
+    {"--counts OUT.png", "", Where(sunhours | merge, merge),
      "Picture of counted sun positions, 16-bit grey", "Pixels without a surface are clear."},
     {"--part K/N", "", usual(sunhours),
      "Count every N-th position from the K-th on, for sunhours-merge"},

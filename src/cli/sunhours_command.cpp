@@ -199,8 +199,7 @@ void addSunHoursCommand(CLI::App& program) {
                 options->files.picture = paths.front();
                 options->files.more.assign(paths.begin() + 1, paths.end());
             },
-            "The picture, .png, or the part of --part; with --surfaces .glb, .csv, .npy, or "
-            "several")
+            "The picture, .png; with --surfaces one or more of .glb, .csv, .npy")
         ->required();
     addSunHoursOptions(*verb, *options);
     verb->callback([options] {
