@@ -207,6 +207,7 @@ void addSunHoursCommand(CLI::App& program) {
             throw Error(ExitStatus::usage,
                         "--cast-cutouts does not go with sunhours, whose shadow volumes count no "
                         "cutouts; --cast-masked casts whole triangles.");
+        options->readWeatherFile();
         if (options->surface.surfaces) return sunHoursOfSurfaces(*options);
         requirePicture(options->files);
         sunHours(*options);

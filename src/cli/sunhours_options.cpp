@@ -122,18 +122,29 @@ LoadedScene SunHoursOptions::loadForHours(const hours::Schedule& schedule,
                      CLI::detail::to_string(schedule.minAltitude) +
                      " degrees in these hours, so there are no hours of sun.");
     if (const std::string about = dateWarning(); !about.empty()) warnings.add(about);
+    if (weather && weather->missing > 0)
+        warnings.add("'" + epw + "' lacks the direct normal radiation of " +
+                     std::to_string(weather->missing) + " hours, which count as 0.");
     printWarnings(warnings.sentences());
-    if (!offset)
+    if (!offset && !weather)
         printProgress("Clock: UTC" + sun::textOf(schedule.offset) +
                       ", by the longitude; --utc-offset sets another.");
     return loaded;
 }
 
+void SunHoursOptions::readWeatherFile() {
+    if (!epw.empty()) weather = hours::readWeather(epw, limits.fileBytes);
+}
+
 hours::Schedule SunHoursOptions::schedule() const {
+    if (!place && !weather)
+        throw Error(ExitStatus::usage,
+                    "sunhours needs --place, or a weather file of --epw, which has one.");
     hours::Schedule schedule = typed;
-    schedule.place = *place;
+    schedule.place = weather ? weather->place : *place;
     schedule.step = minutes(step);
-    schedule.offset = offset.value_or(hours::offsetNear(place->longitude));
+    schedule.offset =
+        offset.value_or(weather ? weather->offset : hours::offsetNear(schedule.place.longitude));
     if (date) {
         schedule.from = schedule.to = *date;
     } else if (from) {
@@ -194,6 +205,9 @@ nlohmann::ordered_json SunHoursOptions::settingsJson(const hours::Schedule& sche
         {"cast-masked", casters.castMasked},
         {"gl-limits", glLimitsName(glLimits)},
     };
+    if (weather)
+        settings["epw"] = {{"file", std::filesystem::path(epw).filename().string()},
+                           {"station", weather->station}};
     if (!variant.empty()) settings["variant"] = variant;
     settings.update(sceneJson(scene));
     return settings;
@@ -205,7 +219,8 @@ void addSunHoursFileOptions(CLI::App& verb, SunHoursFiles& files) {
 }
 
 void addSunHoursOptions(CLI::App& verb, SunHoursOptions& options) {
-    addPlaceOption(verb, options.place)->required();
+    CLI::Option* const place = addPlaceOption(verb, options.place);
+    addText(verb, "--epw", options.epw)->excludes(place);
     addDates(verb, options);
     addNumber(verb, "--north", options.typed.north);
     addThresholds(verb, options);

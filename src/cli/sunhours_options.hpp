@@ -5,6 +5,7 @@
 #include "src/hours/part.hpp"
 #include "src/hours/preset.hpp"
 #include "src/hours/schedule.hpp"
+#include "src/hours/weather_file.hpp"
 
 #include <optional>
 #include <string>
@@ -37,9 +38,14 @@ struct SunHoursOptions : SceneOptions {
     const hours::Preset* preset = nullptr;
     std::vector<hours::ProbePoint> probes;
     SurfaceOptions surface;
+    std::string epw;                       ///< the weather file; empty: none
+    std::optional<hours::Weather> weather; ///< from that file, after readWeatherFile()
     std::optional<std::pair<std::size_t, std::size_t>> part; ///< K of N
 
-    /// Throws Error(usage) if no date was typed, and for options that don't go together.
+    /// Reads the weather file, if one was typed. Throws InputError.
+    void readWeatherFile();
+    /// Throws Error(usage) if neither place nor weather file, or no date, was typed, and for
+    /// options that don't go together.
     hours::Schedule schedule() const;
     std::optional<double> hoursWanted() const;
     /// Warning if --preset does not suit the dates; empty: none.

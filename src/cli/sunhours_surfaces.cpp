@@ -8,6 +8,7 @@
 #include "src/cli/sensor_rays.hpp"
 #include "src/cli/surface_choice.hpp"
 #include "src/cli/surface_files.hpp"
+#include "src/hours/beam.hpp"
 #include "src/hours/surfaces/bits_npy.hpp"
 #include "src/hours/surfaces/division.hpp"
 #include "src/hours/surfaces/left_out_cells.hpp"
@@ -52,8 +53,9 @@ void addNames(const LoadedScene& loaded, hours::SurfaceRun& run) {
 }
 
 hours::LightQuestion questionOf(const SunHoursOptions& options, const hours::Schedule& schedule,
-                                const hours::SurfaceRun& run) {
+                                const hours::SurfaceRun& run, const std::vector<double>& beam) {
     hours::LightQuestion question;
+    question.normalIrradiance = beam;
     question.positions = run.positions;
     question.step = schedule.step;
     question.offset = schedule.offset;
@@ -88,6 +90,14 @@ std::string summaryOf(const hours::SurfaceRun& run, const Json& report) {
                   sun::textOf(run.offset).c_str(), report["hours"]["min"].get<double>(),
                   report["hours"]["max"].get<double>(), report["hours"]["mean"].get<double>());
     std::string all = text;
+    if (report.contains("direct_kwh")) {
+        const Json& energy = report["direct_kwh_per_m2"];
+        std::snprintf(text, sizeof text,
+                      "; direct beam alone %.4g to %.4g kWh/m², mean %.4g, %.6g kWh in all",
+                      energy["min"].get<double>(), energy["max"].get<double>(),
+                      energy["mean"].get<double>(), report["direct_kwh"].get<double>());
+        all += text;
+    }
     if (report.contains("area_above_threshold_percent")) {
         std::snprintf(text, sizeof text, "; the threshold is met on %.1f %% of the area",
                       report["area_above_threshold_percent"].get<double>());
@@ -109,6 +119,10 @@ void sunHoursOfSurfaces(const SunHoursOptions& options) {
     run.offset = schedule.offset;
     run.unit = options.surface.unit;
 
+    const std::vector<double> beam = options.surface.quantity == Quantity::directKwh
+                                         ? hours::beamOf(*options.weather, run.positions, run.step)
+                                         : std::vector<double>();
+
     const LoadedScene loaded = options.loadForHours(schedule, run.positions);
     ProgressBar bar;
     bar.show(0.0, "dividing surfaces");
@@ -121,8 +135,8 @@ void sunHoursOfSurfaces(const SunHoursOptions& options) {
 
     const std::string doing = std::to_string(run.cells.cells.size()) + " cells, " +
                               std::to_string(run.positions.size()) + " sun positions";
-    run.light = hours::lightOf(run.cells, questionOf(options, schedule, run), sensorLight(loaded),
-                               [&](double share) {
+    run.light = hours::lightOf(run.cells, questionOf(options, schedule, run, beam),
+                               sensorLight(loaded), [&](double share) {
                                    bar.show(raysFrom + (filesFrom - raysFrom) * share,
                                             "tracing rays to " + doing, "tracing rays to " + doing);
                                });

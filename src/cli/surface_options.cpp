@@ -19,7 +19,9 @@ nlohmann::ordered_json SurfaceOptions::json() const {
             {"offset", offset},
             {"unit", unit},
             {"nodes", nodes},
-            {"materials", materials}};
+            {"materials", materials},
+            {"quantity",
+             optionOf("sunhours", "--quantity").values.words.at(quantity == Quantity::directKwh)}};
 }
 
 void addSurfaceOptions(CLI::App& verb, SurfaceOptions& options) {
@@ -32,6 +34,10 @@ void addSurfaceOptions(CLI::App& verb, SurfaceOptions& options) {
     addTexts(verb, "--nodes", options.nodes)->needs(surfaces);
     addTexts(verb, "--materials", options.materials)->needs(surfaces);
     verb.add_flag("--when", options.when)->needs(surfaces);
+    addWords(verb, "--quantity", options.quantity,
+             std::vector{Quantity::hours, Quantity::directKwh})
+        ->needs(surfaces)
+        ->needs(verb.get_option("--epw"));
 }
 
 } // namespace edgeshade::cli

@@ -7,6 +7,12 @@
 
 namespace edgeshade::cli {
 
+/// The quantity that surfaces are measured by, beside hours.
+enum class Quantity {
+    hours,
+    directKwh, ///< energy of the direct beam, by the weather file
+};
+
 /// The options of `sunhours` that go with --surfaces, as typed.
 struct SurfaceOptions {
     bool surfaces = false;
@@ -15,8 +21,9 @@ struct SurfaceOptions {
     double unit{};                             ///< metres that a scene unit is, above 0
     std::vector<std::string> nodes, materials; ///< names; empty: all
     bool when = false;
+    Quantity quantity = Quantity::hours;
 
-    /// {"grid", "offset", "unit", "nodes", "materials"}, as in reports.
+    /// {"grid", "offset", "unit", "nodes", "materials", "quantity"}, as in reports.
     nlohmann::ordered_json json() const;
 };
 
