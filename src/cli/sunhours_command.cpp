@@ -107,7 +107,7 @@ void addSurfaces(const LoadedScene& loaded, const FrameRequest& request,
         const bool known = exposure.surface[i] != 0 && surfaces[i].area > 0.0;
         exposure.area.push_back(known ? static_cast<float>(surfaces[i].area) : 0.0f);
         if (!known) continue;
-        const lab::EyeTriangle& triangle = oracle.triangles()[surfaces[i].triangle];
+        const rays::SurfaceTriangle& triangle = oracle.triangles()[surfaces[i].triangle];
         const Batch& batch = loaded.scene.batches[triangle.batch];
         if (batch.ground) continue;
         const bool isFill = triangle.material >= loaded.scene.whole().materials.size();

@@ -40,7 +40,7 @@ Vector cross(const Vector& a, const Vector& b) {
 struct ExactTriangle {
     Vector a, b, c, normal;
 
-    explicit ExactTriangle(const EyeTriangle& t) : a(t.a), b(t.b), c(t.c) {
+    explicit ExactTriangle(const SurfaceTriangle& t) : a(t.a), b(t.b), c(t.c) {
         normal = cross(b - a, c - a);
     }
 };
@@ -113,7 +113,7 @@ Verdict judgeExactly(const Oracle& oracle, double x, double y) {
     std::optional<ExactHit> nearest;
     std::uint32_t own = 0;
     for (const std::uint32_t i : oracle.candidates(ray.origin, ray.direction, false)) {
-        const EyeTriangle& triangle = oracle.triangles()[i];
+        const SurfaceTriangle& triangle = oracle.triangles()[i];
         if (!triangle.visible) continue;
         const auto hit = intersect(ExactTriangle(triangle), origin, direction);
         if (!hit || hit->t < near || hit->t <= 0 || oracle.isCutOut(triangle, hit->u, hit->v))

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "src/lab/eye_triangles.hpp"
 #include "src/lab/light_set.hpp"
+#include "src/rays/ray_tree.hpp"
+#include "src/rays/surface_triangles.hpp"
 #include "src/shadow/lights/light.hpp"
 #include "src/shadow/view/frustum.hpp"
 
@@ -12,6 +13,8 @@
 #include <vector>
 
 namespace edgeshade::lab {
+
+using rays::SurfaceTriangle;
 
 /// The oracle's answer for a pixel: no surface, or a surface and the lights that reach it.
 struct Answer {
@@ -55,12 +58,12 @@ PixelRay pixelRay(const Question& question, double x, double y);
 /// Alpha of alpha-tested surfaces, from the owner of the textures.
 struct AlphaLookup {
     /// Alpha at barycentric coordinates (u, v) of b and c.
-    std::function<float(const EyeTriangle&, double u, double v)> at;
+    std::function<float(const SurfaceTriangle&, double u, double v)> at;
 
     /// The lowest and the highest alpha that a device's texture filter may produce at a pixel: GLES
     /// 2 leaves the choice of mipmap levels open (2.0.25, 3.7.7). `places`: the coordinates at the
     /// pixel's centre, one pixel to the right and one below. Null: use `at`.
-    std::function<glm::vec2(const EyeTriangle&, const std::array<glm::dvec2, 3>& places)> range;
+    std::function<glm::vec2(const SurfaceTriangle&, const std::array<glm::dvec2, 3>& places)> range;
 };
 
 /// Decides what is lit by casting rays, as defined in docs/method.md, C30. Embree in robust mode
@@ -71,7 +74,6 @@ class Oracle {
   public:
     /// Throws Error(unavailable) if the program was built without Embree.
     Oracle(const Question& question, const AlphaLookup& alpha);
-    ~Oracle();
     Oracle(const Oracle&) = delete;
     Oracle& operator=(const Oracle&) = delete;
 
@@ -111,14 +113,14 @@ class Oracle {
     bool isOpen(std::span<const std::uint32_t> own, const glm::dvec3& direction) const;
 
     const Question& question() const { return question_; }
-    const std::vector<EyeTriangle>& triangles() const { return triangles_; }
-    bool isCutOut(const EyeTriangle& triangle, double u, double v) const;
+    const std::vector<SurfaceTriangle>& triangles() const { return triangles_; }
+    bool isCutOut(const SurfaceTriangle& triangle, double u, double v) const;
     /// Whether light passes through the triangle at these coordinates.
-    bool isHole(const EyeTriangle& triangle, double u, double v) const;
+    bool isHole(const SurfaceTriangle& triangle, double u, double v) const;
 
     /// Whether the texture filter may decide if the triangle is cut out at a picture point, at a
     /// depth of at most `depth`.
-    bool isCutOutByFilter(const EyeTriangle& triangle, double x, double y, double depth) const;
+    bool isCutOutByFilter(const SurfaceTriangle& triangle, double x, double y, double depth) const;
 
     /// Whether a triangle blocks that light: it casts, and the light doesn't touch it
     /// (docs/method.md, C47).
@@ -132,15 +134,13 @@ class Oracle {
     const glm::dvec4& eye() const { return eye_; }
     /// The side of the triangle that the eye is on, by the order of its corners; the value is
     /// normalOf()'s length times a distance, or times a direction of length 1.
-    double eyeSide(const EyeTriangle& triangle) const;
+    double eyeSide(const SurfaceTriangle& triangle) const;
     /// The light's range; infinite for directional lights.
     double rangeOf(std::size_t light) const;
     /// The light's cone; null if it has none.
     const Cone* coneOf(std::size_t light) const;
 
   private:
-    struct Tree; ///< Embree's tree
-
     void visitSurfaces(const PixelRay& ray,
                        const std::function<void(const Hit&, bool certain)>& visit) const;
     Checked checkedOn(const Hit& hit, double x, double y) const;
@@ -155,8 +155,8 @@ class Oracle {
     glm::dvec3 position_; ///< of the camera
     glm::dvec4 eye_;
     AlphaLookup alpha_;
-    std::vector<EyeTriangle> triangles_;
-    std::unique_ptr<Tree> tree_;
+    std::vector<SurfaceTriangle> triangles_;
+    rays::RayTree tree_;
     std::vector<std::vector<glm::dvec4>> lightInBatch_; ///< by light and batch
     std::vector<std::vector<std::uint32_t>> touched_;   ///< by light, ascending
 };

@@ -22,7 +22,7 @@ PixelSurface surfaceAt(const Oracle& oracle, double x, double y) {
 
 } // namespace
 
-double footprintArea(const Question& question, const EyeTriangle& triangle, const PixelRay& ray,
+double footprintArea(const Question& question, const SurfaceTriangle& triangle, const PixelRay& ray,
                      double depth) {
     const glm::dvec2 window = question.frustum.size();
     const double pixel =

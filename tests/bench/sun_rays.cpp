@@ -60,8 +60,8 @@ std::vector<Place> placesOf(const lab::Oracle& oracle) {
         const auto width = static_cast<std::size_t>(question.width);
         const lab::PixelRay ray = lab::pixelRay(question, static_cast<double>(i % width) + 0.5,
                                                 static_cast<double>(i / width) + 0.5);
-        const lab::EyeTriangle& triangle = oracle.triangles()[surfaces[i].triangle];
-        const glm::dvec3 normal = lab::normalOf(triangle);
+        const rays::SurfaceTriangle& triangle = oracle.triangles()[surfaces[i].triangle];
+        const glm::dvec3 normal = rays::normalOf(triangle);
         const double depth =
             glm::dot(normal, triangle.a - ray.origin) / glm::dot(normal, ray.direction);
         const double side = oracle.eyeSide(triangle) < 0.0 ? -1.0 : 1.0;
@@ -73,10 +73,10 @@ std::vector<Place> placesOf(const lab::Oracle& oracle) {
 /// Embree's tree of the casters, built for speed only.
 class Tree {
   public:
-    explicit Tree(const std::vector<lab::EyeTriangle>& triangles)
+    explicit Tree(const std::vector<rays::SurfaceTriangle>& triangles)
         : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_)) {
         std::vector<glm::vec3> corners;
-        for (const lab::EyeTriangle& triangle : triangles)
+        for (const rays::SurfaceTriangle& triangle : triangles)
             if (triangle.casts)
                 for (const glm::dvec3& corner : {triangle.a, triangle.b, triangle.c})
                     corners.push_back(glm::vec3(corner));

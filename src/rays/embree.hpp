@@ -1,0 +1,64 @@
+#pragma once
+
+// Embree 3 or 4, whose calls differ. CMake says which by EDGESHADE_EMBREE. Only sources include
+// this.
+
+#if EDGESHADE_EMBREE >= 4
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+namespace edgeshade::rays::embree {
+
+#if EDGESHADE_EMBREE >= 4
+
+using Context = RTCRayQueryContext;
+
+inline void init(Context& context) {
+    rtcInitRayQueryContext(&context);
+}
+
+inline RTCOccludedArguments argumentsOf(Context& context, bool coherent) {
+    RTCOccludedArguments arguments;
+    rtcInitOccludedArguments(&arguments);
+    arguments.context = &context;
+    arguments.flags = coherent ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
+    return arguments;
+}
+
+/// Whether something stops the ray: then its tfar is -infinity.
+inline void occluded(RTCScene scene, Context& context, RTCRay& ray) {
+    RTCOccludedArguments arguments = argumentsOf(context, false);
+    rtcOccluded1(scene, &ray, &arguments);
+}
+
+/// The same for eight coherent rays, those with valid[i] = -1.
+inline void occluded(RTCScene scene, Context& context, const int* valid, RTCRay8& rays) {
+    RTCOccludedArguments arguments = argumentsOf(context, true);
+    rtcOccluded8(valid, scene, &rays, &arguments);
+}
+
+#else
+
+using Context = RTCIntersectContext;
+
+inline void init(Context& context) {
+    rtcInitIntersectContext(&context);
+}
+
+/// Whether something stops the ray: then its tfar is -infinity.
+inline void occluded(RTCScene scene, Context& context, RTCRay& ray) {
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+    rtcOccluded1(scene, &context, &ray);
+}
+
+/// The same for eight coherent rays, those with valid[i] = -1.
+inline void occluded(RTCScene scene, Context& context, const int* valid, RTCRay8& rays) {
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcOccluded8(valid, scene, &context, &rays);
+}
+
+#endif
+
+} // namespace edgeshade::rays::embree

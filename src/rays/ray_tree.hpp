@@ -1,0 +1,57 @@
+#pragma once
+
+#include "preprocess/base/box.hpp"
+#include "src/rays/surface_point.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+
+namespace edgeshade::rays {
+
+/// Rays of one packet.
+inline constexpr std::size_t packetSize = 8;
+
+/// A set of a packet's rays, a bit each.
+using Lanes = std::uint8_t;
+
+/// Embree's tree of boxes around triangles. It finds every triangle that a ray meets, taken as the
+/// doubles that both are, and some that it misses (docs/method.md, C56). Thread-safe once built.
+class RayTree {
+  public:
+    /// `corners`: of all triangles; `which`: the indices of those to find. Triangles whose corners
+    /// aren't all finite are never found.
+    RayTree(std::span<const Corners> corners, std::vector<std::uint32_t> which);
+    ~RayTree();
+    RayTree(RayTree&&) noexcept;
+    RayTree& operator=(RayTree&&) noexcept;
+
+    /// Calls visit(triangle) for all triangles that origin + t * direction may meet at t from 0 to
+    /// `length`, in any order, until it returns true. A direction of 0 meets none.
+    void visit(const glm::dvec3& origin, const glm::dvec3& direction, double length,
+               const std::function<bool(std::uint32_t)>& visit) const;
+
+    /// Where rays start, in the tree's own coordinates.
+    struct Origins {
+        alignas(32) float x[packetSize], y[packetSize], z[packetSize];
+        bool inside =
+            true; ///< all are within the tree's box or close to it; else they need visit()
+    };
+    /// `places`: at most packetSize.
+    Origins originsOf(std::span<const glm::dvec3> places) const;
+
+    /// Tests a triangle; returns the rays whose search is over.
+    using Test = Lanes (*)(void* state, std::uint32_t triangle);
+
+    /// Calls test(state, triangle) for all triangles that rays in one direction, not 0, may meet at
+    /// t >= 0, until the search of all of them is over. `rays`: those of the packet that search.
+    void visitPacket(const Origins& origins, const glm::dvec3& direction, Lanes rays, Test test,
+                     void* state) const;
+
+  private:
+    struct Data;
+    std::unique_ptr<Data> data_;
+};
+
+} // namespace edgeshade::rays
