@@ -203,7 +203,7 @@ void addSunHoursCommand(CLI::App& program) {
         ->required();
     addSunHoursOptions(*verb, *options);
     verb->callback([options] {
-        if (options->cutoutsCast)
+        if (options->cutoutsCast && !options->surface.surfaces)
             throw Error(ExitStatus::usage,
                         "--cast-cutouts does not go with sunhours, whose shadow volumes count no "
                         "cutouts; --cast-masked casts whole triangles.");

@@ -115,7 +115,10 @@ std::vector<std::string> SunHoursFiles::all() const {
 
 LoadedScene SunHoursOptions::loadForHours(const hours::Schedule& schedule,
                                           std::span<const hours::Position> positions) const {
-    LoadedScene loaded = load(Shading::base, ShadowMethod::volumes, false);
+    // Rays of surfaces let light through cutouts, volumes don't.
+    LoadedScene loaded =
+        load(Shading::base, surface.surfaces ? ShadowMethod::primitiveMap : ShadowMethod::volumes,
+             false);
     Warnings& warnings = loaded.scene.warnings;
     if (positions.empty())
         warnings.add("The sun is never higher than " +

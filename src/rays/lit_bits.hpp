@@ -34,6 +34,9 @@ class LitBits {
     void setLit(std::size_t point, std::size_t direction) {
         bits_[point * words_ + direction / 64] |= std::uint64_t{1} << direction % 64;
     }
+    void setDark(std::size_t point, std::size_t direction) {
+        bits_[point * words_ + direction / 64] &= ~(std::uint64_t{1} << direction % 64);
+    }
 
   private:
     std::size_t directions_, words_;

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <csignal>
 #include <gtest/gtest.h>
+#include <numeric>
 #include <random>
 #include <thread>
 
@@ -273,6 +274,39 @@ TEST_F(SunHoursOfSurfaces, SeveralFilesComeFromOneRun) {
             lit += std::popcount(bits[128 + i * bytesOfRow + b]);
         EXPECT_EQ(std::stod(table().at("hours")[i]), lit);
     }
+}
+
+TEST_F(SunHoursOfSurfaces, AThousandCellsAtRandomAreThoseOfTypedPoints) {
+    const std::string scene = std::string(EDGESHADE_ASSETS) + "/pavilion.glb";
+    const Words day = equinox + Words{"--step", "30"};
+    ASSERT_EQ(runEdgeshade(Words{"sunhours", scene, csv_, "--surfaces"} + day).status, 0);
+    const CsvTable cells = table();
+    std::vector<std::size_t> chosen(cells.at("x").size());
+    std::iota(chosen.begin(), chosen.end(), std::size_t{0});
+    std::erase_if(chosen, [&](std::size_t i) { return !cells.at("left_out")[i].empty(); });
+    std::shuffle(chosen.begin(), chosen.end(), std::mt19937(11));
+    chosen.resize(1000);
+    Words points;
+    for (const std::size_t i : chosen) {
+        std::string point = "--at=";
+        for (const char* name : {"x", "y", "z", "nx", "ny", "nz"})
+            point += (point == "--at=" ? "" : ",") + cells.at(name)[i];
+        points.push_back(point);
+    }
+    ASSERT_EQ(runEdgeshade(Words{"sunhours", scene, folder_ / "a.png", "--size", "8x8", "--report",
+                                 report_} +
+                           day + points)
+                  .status,
+              0);
+    const Json probes = report()["probes"];
+    ASSERT_EQ(probes.size(), 1000u);
+    double sum = 0.0;
+    for (std::size_t p = 0; p < 1000; ++p) {
+        const double hours = std::stod(cells.at("hours")[chosen[p]]);
+        EXPECT_EQ(probes[p]["hours"].get<double>(), hours) << points[p];
+        sum += hours;
+    }
+    EXPECT_GT(sum, 1000.0);
 }
 
 TEST_F(SunHoursOfSurfaces, BadUsageIsOneSentence) {

@@ -102,9 +102,9 @@ CellLight lightOf(const SurfaceCells& cells, const LightQuestion& question,
     for (std::size_t first = 0; first < count; first += block) {
         onShare(static_cast<double>(first) / static_cast<double>(count));
         const std::size_t end = std::min(first + block, count);
-        const LitBits bits = light(sensorsOf(cells, first, end), directions);
+        const rays::LitBits bits = light(sensorsOf(cells, first, end), directions);
         for (std::size_t i = first; i < end; ++i)
-            measuring.add(i, bits.row(i - first));
+            measuring.add(i, bits.of(i - first));
     }
     onShare(1.0);
     return measuring.result();

@@ -9,7 +9,7 @@
 
 namespace edgeshade::hours {
 
-/// What is measured at each cell.
+/// The measurement at each cell.
 struct LightQuestion {
     std::span<const Position> positions{};
     std::chrono::minutes step{10};              ///< that each position stands for

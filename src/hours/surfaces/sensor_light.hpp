@@ -1,10 +1,11 @@
 #pragma once
 
+#include "src/rays/lit_bits.hpp"
+
 #include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
 #include <span>
-#include <vector>
 
 namespace edgeshade::hours {
 
@@ -19,32 +20,9 @@ struct Sensor {
     std::uint32_t firstIndex = 0; ///< of that triangle's corners, in Geometry::indices
 };
 
-/// A bit for each sensor and each direction, in rows of whole words, one row a sensor.
-class LitBits {
-  public:
-    LitBits(std::size_t sensors, std::size_t directions)
-        : wordsOfRow_((directions + 63) / 64), words_(sensors * wordsOfRow_, 0) {}
-
-    void set(std::size_t sensor, std::size_t direction) {
-        words_[sensor * wordsOfRow_ + direction / 64] |= std::uint64_t{1} << direction % 64;
-    }
-    /// Direction 64 w + b is bit b, from the lowest on, of word w. Bits beyond the last direction
-    /// are 0.
-    std::span<std::uint64_t> row(std::size_t sensor) {
-        return std::span(words_).subspan(sensor * wordsOfRow_, wordsOfRow_);
-    }
-    std::span<const std::uint64_t> row(std::size_t sensor) const {
-        return std::span(words_).subspan(sensor * wordsOfRow_, wordsOfRow_);
-    }
-
-  private:
-    std::size_t wordsOfRow_;
-    std::vector<std::uint64_t> words_;
-};
-
-/// Which directions light which sensors: the sensor faces the direction, and no caster is in the
+/// Light by sensor and direction: a sensor is lit if it faces the direction and no caster is in the
 /// way. Directions point towards the light, have length 1, and are in the world.
-using SensorLight =
-    std::function<LitBits(std::span<const Sensor> sensors, std::span<const glm::dvec3> directions)>;
+using SensorLight = std::function<rays::LitBits(std::span<const Sensor> sensors,
+                                                std::span<const glm::dvec3> directions)>;
 
 } // namespace edgeshade::hours

@@ -30,10 +30,10 @@ class CellLightTest : public testing::Test {
         return lightOf(
             cells_, question_,
             [lit](std::span<const Sensor> sensors, std::span<const glm::dvec3> directions) {
-                LitBits bits(sensors.size(), directions.size());
+                rays::LitBits bits(sensors.size(), directions.size());
                 for (std::size_t s = 0; s < sensors.size(); ++s)
                     for (std::size_t d = 0; d < directions.size(); ++d)
-                        if (lit >> d & 1) bits.set(s, d);
+                        if (lit >> d & 1) bits.setLit(s, d);
                 return bits;
             },
             [](double) {});

@@ -37,10 +37,10 @@ SurfaceRun smallRun() {
     run.light = lightOf(
         run.cells, {.positions = run.positions, .step = run.step, .bits = true},
         [](std::span<const Sensor> sensors, std::span<const glm::dvec3> directions) {
-            LitBits bits(sensors.size(), directions.size());
+            rays::LitBits bits(sensors.size(), directions.size());
             for (std::size_t s = 1; s < sensors.size(); ++s)
                 for (std::size_t d = 0; d < (s == 1 ? 1 : directions.size()); ++d)
-                    bits.set(s, d);
+                    bits.setLit(s, d);
             return bits;
         },
         [](double) {});
