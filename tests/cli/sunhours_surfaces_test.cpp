@@ -4,6 +4,7 @@
 #include "tests/support/csv_table.hpp"
 #include "tests/support/gltf_builder.hpp"
 #include "tests/support/temp_folder.hpp"
+#include "tests/support/words.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -16,13 +17,6 @@
 
 namespace edgeshade::test {
 namespace {
-
-using Words = std::vector<std::string>;
-
-Words operator+(Words words, const Words& more) {
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
-}
 
 /// Hours of one cell that are certain, in spite of rays that barely touch a block.
 struct Bounds {
@@ -277,14 +271,23 @@ TEST_F(SunHoursOfSurfaces, SeveralFilesComeFromOneRun) {
 }
 
 TEST_F(SunHoursOfSurfaces, AThousandCellsAtRandomAreThoseOfTypedPoints) {
-    const std::string scene = std::string(EDGESHADE_ASSETS) + "/pavilion.glb";
-    const Words day = equinox + Words{"--step", "30"};
-    ASSERT_EQ(runEdgeshade(Words{"sunhours", scene, csv_, "--surfaces"} + day).status, 0);
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> place(-7.0, 7.0), size(0.1, 1.5);
+    std::vector<Block> blocks;
+    for (int i = 0; i < 30; ++i) {
+        const glm::dvec3 middle(place(random), 0.5 * size(random), place(random)),
+            half(size(random), 2.0 * size(random), size(random));
+        blocks.push_back({middle - half, middle + half});
+    }
+    const Words day = {"--step", "30"};
+    ASSERT_EQ(run(blocksOnALawn(blocks), day).status, 0);
+    const std::string scene = folder_ / "scene.glb";
     const CsvTable cells = table();
     std::vector<std::size_t> chosen(cells.at("x").size());
     std::iota(chosen.begin(), chosen.end(), std::size_t{0});
     std::erase_if(chosen, [&](std::size_t i) { return !cells.at("left_out")[i].empty(); });
-    std::shuffle(chosen.begin(), chosen.end(), std::mt19937(11));
+    ASSERT_GT(chosen.size(), 2000u);
+    std::shuffle(chosen.begin(), chosen.end(), random);
     chosen.resize(1000);
     Words points;
     for (const std::size_t i : chosen) {
@@ -295,7 +298,7 @@ TEST_F(SunHoursOfSurfaces, AThousandCellsAtRandomAreThoseOfTypedPoints) {
     }
     ASSERT_EQ(runEdgeshade(Words{"sunhours", scene, folder_ / "a.png", "--size", "8x8", "--report",
                                  report_} +
-                           day + points)
+                           equinox + day + points)
                   .status,
               0);
     const Json probes = report()["probes"];
