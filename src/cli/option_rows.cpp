@@ -216,14 +216,14 @@ const std::vector<Option> sunlight = {
      "Hours of the clock that count, for example 9-17 or 9:30-17"},
     {"--utc-offset +HH:MM", "whole hours, by longitude", usual(sunhours),
      "The clock's offset from UTC, with summer time"},
-    {"--min-altitude DEG", from(0.0, 90.0), "=0", sunhours,
+    {"--min-altitude DEG", from(0.0, 90.0), "0; 6 with a preset of DIN 5034-1", sunhours,
      "Altitude from which the sun counts, in degrees"},
     {"--threshold H", from(0.0, 24.0), "", usual(sunhours),
      "Report the area that gets at least so many hours per day"},
     {"--preset NAME", presets(), "", usual(sunhours), "Threshold and date of a recommendation",
-     "EN 17037: 1.5, 3 or 4 hours. BRE 209: two hours on half of a garden. The default date is 21 "
-     "March " +
-         std::to_string(static_cast<int>(hours::presetYear)) + "."},
+     "EN 17037: 1.5, 3 or 4 hours. BRE 209: two hours on half of a garden. DIN 5034-1: an hour on "
+     "17 January, 4 hours at the equinox. The default date is 21 March " +
+         std::to_string(static_cast<int>(hours::presetYear)) + ", or that of winter."},
     {"--at X,Y,Z", "", usual(sunhours), "Report the hours at this point; may be repeated",
      "X,Y,Z,NX,NY,NZ adds the direction that it faces."},
     {"--surfaces", usual(sunhours),
@@ -237,6 +237,9 @@ const std::vector<Option> sunlight = {
     {"--nodes NAME", "all", sunhours, "Measure the surfaces of this node; may be repeated",
      "Those of nodes beneath it belong to it."},
     {"--materials NAME", "all", sunhours, "Measure the surfaces of this material; may be repeated"},
+    {"--windows NAME", "", usual(sunhours),
+     "Measure the middles of windows, by their node or material; may be repeated",
+     "With a preset or --threshold the report says which of them pass."},
     {"--epw FILE", "", usual(sunhours),
      "Weather file of EnergyPlus: place, time zone and direct normal radiation"},
     {"--quantity WORD", words({"hours", "direct-kwh"}), "=hours", sunhours,

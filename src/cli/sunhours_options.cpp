@@ -94,7 +94,7 @@ void addDates(CLI::App& verb, SunHoursOptions& options) {
     addOption(verb, "--utc-offset", [&](const std::string& text) {
         options.offset = readAs("--utc-offset", [&] { return sun::offsetFromText(text); });
     });
-    addNumber(verb, "--min-altitude", options.typed.minAltitude);
+    addNumber(verb, "--min-altitude", options.minAltitude);
 }
 
 void addThresholds(CLI::App& verb, SunHoursOptions& options) {
@@ -146,6 +146,7 @@ hours::Schedule SunHoursOptions::schedule() const {
     hours::Schedule schedule = typed;
     schedule.place = weather ? weather->place : *place;
     schedule.step = minutes(step);
+    schedule.minAltitude = minAltitude.value_or(preset ? preset->minAltitude : 0.0);
     schedule.offset =
         offset.value_or(weather ? weather->offset : hours::offsetNear(schedule.place.longitude));
     if (date) {

@@ -31,8 +31,9 @@ struct SunHoursOptions : SceneOptions {
     std::optional<sun::Place> place;
     std::optional<std::chrono::sys_days> date, from, to;
     std::optional<std::chrono::minutes> offset;
-    int step{};            ///< minutes that each sun position stands for
-    hours::Schedule typed; ///< its hours, least altitude and north
+    int step{};                        ///< minutes that each sun position stands for
+    hours::Schedule typed;             ///< its hours and north
+    std::optional<double> minAltitude; ///< degrees; null: the preset's, or 0
     bool plan = false;
     std::optional<double> threshold; ///< hours per day
     const hours::Preset* preset = nullptr;

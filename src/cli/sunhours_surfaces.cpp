@@ -13,6 +13,7 @@
 #include "src/hours/surfaces/division.hpp"
 #include "src/hours/surfaces/left_out_cells.hpp"
 #include "src/hours/surfaces/surface_report.hpp"
+#include "src/hours/surfaces/windows.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -28,17 +29,22 @@ constexpr std::size_t daysOfYear = 365;
 /// Shares of the progress bar at which stages begin.
 constexpr double raysFrom = 0.05, filesFrom = 0.95;
 
-hours::SurfaceCells divide(const SunHoursOptions& options, const LoadedScene& loaded) {
+/// Distance from its plane that a window's pane may have, in metres.
+constexpr double flatPane = 0.01;
+
+hours::SurfaceCells divide(const SunHoursOptions& options, const LoadedScene& loaded,
+                           const hours::SensorLight& light) {
     const SurfaceOptions& typed = options.surface;
     const double scale = 1.0 / typed.unit;
+    const hours::SurfaceChoice choice =
+        surfaceChoice(*loaded.document, typed.nodes, typed.materials, typed.windows);
     hours::SurfaceCells cells =
-        hours::cellsOf(loaded.scene, surfaceChoice(*loaded.document, typed.nodes, typed.materials),
-                       {typed.grid * scale, typed.offset * scale});
+        typed.windows.empty()
+            ? hours::cellsOf(loaded.scene, choice, {typed.grid * scale, typed.offset * scale})
+            : hours::windowsOf(loaded.scene, choice, {flatPane * scale, typed.offset * scale},
+                               light);
     if (cells.cells.empty())
-        throw Error(ExitStatus::usage, std::string(typed.nodes.empty() && typed.materials.empty()
-                                                       ? "--surfaces"
-                                                       : "--nodes and --materials") +
-                                           ": there is no surface of that choice.");
+        throw Error(ExitStatus::usage, "--surfaces: there is no surface of that choice.");
     hours::markLeftOut(cells, hours::solidSurfaces(loaded.scene, loaded.settings.castMasked));
     return cells;
 }
@@ -60,9 +66,10 @@ hours::LightQuestion questionOf(const SunHoursOptions& options, const hours::Sch
     question.step = schedule.step;
     question.offset = schedule.offset;
     question.months = schedule.days() >= daysOfYear;
-    question.bits = std::ranges::any_of(options.files.all(), [](const std::string& path) {
-        return surfaceFileOf(path) == SurfaceFile::npy;
-    });
+    question.bits =
+        run.ofWindows || std::ranges::any_of(options.files.all(), [](const std::string& path) {
+            return surfaceFileOf(path) == SurfaceFile::npy;
+        });
     const std::size_t rows = run.cells.cells.size(),
                       bytes = hours::bytesOfRow(run.positions.size());
     if (question.bits && bytes > 0 && rows > hours::mostBytesOfBits / bytes)
@@ -84,9 +91,10 @@ std::string leftOutText(const Json& of, const char* where) {
 std::string summaryOf(const hours::SurfaceRun& run, const Json& report) {
     char text[240];
     std::snprintf(text, sizeof text,
-                  ": %zu cells on %.6g m², %zu sun positions, UTC%s; hours of sun %.4g to %.4g, "
+                  ": %zu %s on %.6g m², %zu sun positions, UTC%s; hours of sun %.4g to %.4g, "
                   "mean %.4g",
-                  run.cells.cells.size(), report["area"].get<double>(), run.positions.size(),
+                  run.cells.cells.size(), run.ofWindows ? "windows" : "cells",
+                  report["area"].get<double>(), run.positions.size(),
                   sun::textOf(run.offset).c_str(), report["hours"]["min"].get<double>(),
                   report["hours"]["max"].get<double>(), report["hours"]["mean"].get<double>());
     std::string all = text;
@@ -103,6 +111,10 @@ std::string summaryOf(const hours::SurfaceRun& run, const Json& report) {
                       report["area_above_threshold_percent"].get<double>());
         all += text;
     }
+    if (report.contains("rule"))
+        all += "; " + std::to_string(report["rule"]["passing"].get<std::size_t>()) + " of " +
+               std::to_string(report["rule"]["checks"].size()) + " " +
+               report["rule"]["of"].get<std::string>() + " pass";
     return all + leftOutText(report["inside_solids"], "inside solids") +
            leftOutText(report["within_others"], "on others");
 }
@@ -118,6 +130,7 @@ void sunHoursOfSurfaces(const SunHoursOptions& options) {
     run.step = schedule.step;
     run.offset = schedule.offset;
     run.unit = options.surface.unit;
+    run.ofWindows = !options.surface.windows.empty();
 
     const std::vector<double> beam = options.surface.quantity == Quantity::directKwh
                                          ? hours::beamOf(*options.weather, run.positions, run.step)
@@ -126,11 +139,14 @@ void sunHoursOfSurfaces(const SunHoursOptions& options) {
     const LoadedScene loaded = options.loadForHours(schedule, run.positions);
     ProgressBar bar;
     bar.show(0.0, "dividing surfaces");
-    run.cells = divide(options, loaded);
+    const hours::SensorLight light = sensorLight(loaded);
+    run.cells = divide(options, loaded, light);
     addNames(loaded, run);
     run.settings = options.settingsJson(schedule, loaded.scene);
     run.settings["surfaces"] = options.surface.json();
     run.scene = hashOf(loaded.scene);
+    run.version = EDGESHADE_VERSION;
+    run.files = filesJson(*loaded.document, options.limits.fileBytes);
     run.warnings = loaded.scene.warnings.sentences();
 
     const std::string doing = std::to_string(run.cells.cells.size()) + " cells, " +

@@ -15,11 +15,12 @@ constexpr const char* ofPictures[] = {
 } // namespace
 
 nlohmann::ordered_json SurfaceOptions::json() const {
-    return {{"grid", grid},
+    return {{"grid", windows.empty() ? nlohmann::ordered_json(grid) : nullptr},
             {"offset", offset},
             {"unit", unit},
             {"nodes", nodes},
             {"materials", materials},
+            {"windows", windows},
             {"quantity",
              optionOf("sunhours", "--quantity").values.words.at(quantity == Quantity::directKwh)}};
 }
@@ -28,11 +29,12 @@ void addSurfaceOptions(CLI::App& verb, SurfaceOptions& options) {
     CLI::Option* const surfaces = verb.add_flag("--surfaces", options.surfaces);
     for (const char* name : ofPictures)
         surfaces->excludes(verb.get_option(name));
-    addNumber(verb, "--grid", options.grid)->needs(surfaces);
+    CLI::Option* const grid = addNumber(verb, "--grid", options.grid)->needs(surfaces);
     addNumber(verb, "--offset", options.offset)->needs(surfaces);
     addNumber(verb, "--unit", options.unit)->needs(surfaces);
     addTexts(verb, "--nodes", options.nodes)->needs(surfaces);
     addTexts(verb, "--materials", options.materials)->needs(surfaces);
+    addTexts(verb, "--windows", options.windows)->needs(surfaces)->excludes(grid);
     verb.add_flag("--when", options.when)->needs(surfaces);
     addWords(verb, "--quantity", options.quantity,
              std::vector{Quantity::hours, Quantity::directKwh})

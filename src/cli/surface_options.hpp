@@ -20,10 +20,11 @@ struct SurfaceOptions {
     double offset{};                           ///< metres, 0 or more
     double unit{};                             ///< metres that a scene unit is, above 0
     std::vector<std::string> nodes, materials; ///< names; empty: all
+    std::vector<std::string> windows; ///< names of their nodes or materials; empty: cells of a grid
     bool when = false;
     Quantity quantity = Quantity::hours;
 
-    /// {"grid", "offset", "unit", "nodes", "materials", "quantity"}, as in reports.
+    /// {"grid", "offset", "unit", "nodes", "materials", "windows", "quantity"}, as in reports.
     nlohmann::ordered_json json() const;
 };
 

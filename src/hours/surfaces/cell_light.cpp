@@ -21,19 +21,6 @@ std::vector<std::uint8_t> monthsOf(const LightQuestion& question) {
     return months;
 }
 
-std::vector<Sensor> sensorsOf(const SurfaceCells& cells, std::size_t first, std::size_t end) {
-    std::vector<Sensor> sensors;
-    sensors.reserve(end - first);
-    for (std::size_t i = first; i < end; ++i) {
-        const Cell& cell = cells.cells[i];
-        Sensor& sensor = sensors.emplace_back(Sensor{cell.point, cell.normal});
-        if (cells.offset > 0.0) continue;
-        sensor.batch = cells.triangleOf(cell).batch;
-        sensor.firstIndex = cells.triangleOf(cell).firstIndex;
-    }
-    return sensors;
-}
-
 /// Calls use(position) for each bit of a row, in order.
 template <class Use>
 void forEachLit(std::span<const std::uint64_t> row, const Use& use) {
@@ -89,6 +76,19 @@ class Measuring {
 };
 
 } // namespace
+
+std::vector<Sensor> sensorsOf(const SurfaceCells& cells, std::size_t first, std::size_t end) {
+    std::vector<Sensor> sensors;
+    sensors.reserve(end - first);
+    for (std::size_t i = first; i < end; ++i) {
+        const Cell& cell = cells.cells[i];
+        Sensor& sensor = sensors.emplace_back(Sensor{cell.point, cell.normal});
+        if (cells.offset > 0.0) continue;
+        sensor.batch = cells.triangleOf(cell).batch;
+        sensor.firstIndex = cells.triangleOf(cell).firstIndex;
+    }
+    return sensors;
+}
 
 CellLight lightOf(const SurfaceCells& cells, const LightQuestion& question,
                   const SensorLight& light, const std::function<void(double)>& onShare) {

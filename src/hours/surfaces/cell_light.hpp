@@ -36,6 +36,9 @@ inline std::size_t bytesOfRow(std::size_t positions) {
     return (positions + 7) / 8;
 }
 
+/// The sensors of cells [first, end).
+std::vector<Sensor> sensorsOf(const SurfaceCells& cells, std::size_t first, std::size_t end);
+
 /// Measures all cells, those left out too. `onShare` is called with the share that is done. Memory
 /// grows with the cells, and with the positions only for bits.
 CellLight lightOf(const SurfaceCells& cells, const LightQuestion& question,

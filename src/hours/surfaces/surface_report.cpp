@@ -3,6 +3,7 @@
 #include "src/hours/exposure.hpp"
 #include "src/hours/part_file.hpp"
 #include "src/hours/surfaces/area_sum.hpp"
+#include "src/hours/surfaces/rule_checks.hpp"
 
 #include <cmath>
 
@@ -40,6 +41,8 @@ class Report {
     Json json() const {
         Json report = {{"settings", run_.settings},
                        {"scene", run_.scene},
+                       {"version", run_.version},
+                       {"files", run_.files},
                        {"days", settings_.days},
                        {"possible_hours", run_.possibleHours()},
                        {"cells", run_.cells.cells.size()},
@@ -50,6 +53,8 @@ class Report {
         report["histogram"] = histogramJson();
         if (settings_.preset && settings_.preset->ofHalfTheArea)
             report["half_of_area"] = all_.percent() >= 50.0;
+        if (Json rule = ruleChecksOf(run_, settings_); !rule.is_null())
+            report["rule"] = std::move(rule);
         report["by_material"] = groupsJson(materials_, run_.materials);
         report["by_node"] = groupsJson(nodes_, run_.nodes);
         Json positions = Json::array();
