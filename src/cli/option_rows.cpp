@@ -290,7 +290,11 @@ const std::vector<Option> measuring = {
      "processor's time on all cores, for a software GL on a busy machine."},
     {"--explain", render,
      "Say what is drawn of the shadow volumes, how and why, and what is left out"},
-    {"--report FILE", "", usual(all & ~view), "Write a JSON report; - is standard output"}};
+    {"--report FILE", "", usual(all & ~(view | sunhours)),
+     "Write a JSON report; - is standard output"},
+    {"--report FILE", "", usual(sunhours),
+     "Write a JSON report, or with --surfaces a page, .html; - is standard output",
+     "A page has pictures, a table and all settings, for screen and paper."}};
 
 const std::vector<Option> limits = {
     {"--max-file BYTES", bytes(), "=4G", reads,

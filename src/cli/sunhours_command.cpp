@@ -178,6 +178,7 @@ void sunHours(const SunHoursOptions&) {
 
 /// Throws Error(usage) for files that only --surfaces writes.
 void requirePicture(const SunHoursFiles& files) {
+    requireJsonReport(files);
     if (!files.more.empty()) throw Error(ExitStatus::usage, "OUT: several files need --surfaces.");
     for (const char* end : {".glb", ".csv", ".npy"})
         if (files.picture.ends_with(end))

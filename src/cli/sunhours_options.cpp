@@ -217,6 +217,12 @@ nlohmann::ordered_json SunHoursOptions::settingsJson(const hours::Schedule& sche
     return settings;
 }
 
+void requireJsonReport(const SunHoursFiles& files) {
+    if (files.report.ends_with(".html"))
+        throw Error(ExitStatus::usage,
+                    "--report: '" + files.report + "', a page, needs --surfaces.");
+}
+
 void addSunHoursFileOptions(CLI::App& verb, SunHoursFiles& files) {
     addText(verb, "--counts", files.counts);
     addText(verb, "--report", files.report);

@@ -59,6 +59,9 @@ struct SunHoursOptions : SceneOptions {
     nlohmann::ordered_json settingsJson(const hours::Schedule& schedule, const Scene& scene) const;
 };
 
+/// Throws Error(usage) for a report that is a page, which only --surfaces makes.
+void requireJsonReport(const SunHoursFiles& files);
+
 /// `--counts` and `--report`.
 void addSunHoursFileOptions(CLI::App& verb, SunHoursFiles& files);
 

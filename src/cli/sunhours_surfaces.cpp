@@ -159,16 +159,19 @@ void sunHoursOfSurfaces(const SunHoursOptions& options) {
 
     bar.show(filesFrom, "making files");
     // Make everything before writing anything.
-    const Json report = hours::surfaceReportOf(
-        run, hours::hoursSettings(JsonField(options.input, run.settings, "settings")));
+    const hours::HoursSettings settings =
+        hours::hoursSettings(JsonField(options.input, run.settings, "settings"));
+    const Json report = hours::surfaceReportOf(run, settings);
     std::vector<MadeFile> files;
     for (const std::string& path : options.files.all())
         files.push_back(makeSurfaceFile(path, run, options.surface.when));
+    if (isPage(options.files.report))
+        files.push_back(makePage(options.files.report, run, settings, report, loaded.scene));
     for (const MadeFile& file : files)
         writeFile(file.path, file.bytes);
     bar.show(1.0, "done");
     printResult(options.files.picture + summaryOf(run, report), options.files.report);
-    writeReport(report, options.files.report);
+    if (!isPage(options.files.report)) writeReport(report, options.files.report);
 }
 
 } // namespace edgeshade::cli

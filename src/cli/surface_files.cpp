@@ -4,6 +4,7 @@
 #include "src/hours/surfaces/bits_npy.hpp"
 #include "src/hours/surfaces/cells_csv.hpp"
 #include "src/hours/surfaces/cells_glb.hpp"
+#include "src/hours/surfaces/html_report.hpp"
 #include "src/plot/color_scale.hpp"
 
 #include <algorithm>
@@ -54,6 +55,19 @@ MadeFile makeSurfaceFile(const std::string& path, const hours::SurfaceRun& run, 
     default:
         return {path, hours::npyOf(run)};
     }
+}
+
+bool isPage(const std::string& reportPath) {
+    return reportPath.ends_with(".html");
+}
+
+MadeFile makePage(const std::string& path, const hours::SurfaceRun& run,
+                  const hours::HoursSettings& settings, const nlohmann::ordered_json& report,
+                  const Scene& scene) {
+    const std::vector<hours::WorldTriangle> all =
+        hours::worldTriangles(scene, [](std::uint32_t, std::uint32_t) { return true; });
+    return {path,
+            bytesOf(hours::htmlOf(run, settings, report, all, {plot::evenColor, mostOf(run)}))};
 }
 
 } // namespace edgeshade::cli

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "preprocess/base/file_io.hpp"
+#include "src/hours/settings.hpp"
 #include "src/hours/surfaces/surface_run.hpp"
 
 #include <string>
@@ -23,5 +24,13 @@ struct MadeFile {
 /// The file's bytes. `when`: tables have the first and last time. Throws Error(output) for what its
 /// format can't hold.
 MadeFile makeSurfaceFile(const std::string& path, const hours::SurfaceRun& run, bool when);
+
+/// Whether a report of that name is a page.
+bool isPage(const std::string& reportPath);
+
+/// The report as a page; see hours::htmlOf(). `scene`: all of it.
+MadeFile makePage(const std::string& path, const hours::SurfaceRun& run,
+                  const hours::HoursSettings& settings, const nlohmann::ordered_json& report,
+                  const Scene& scene);
 
 } // namespace edgeshade::cli
