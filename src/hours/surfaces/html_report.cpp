@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 constexpr int pictureWidth = 1000, pictureHeight = 620;
 /// Where the two pictures are seen from: azimuths, and an altitude, in degrees.
 constexpr double fromSouthWest = 215.0, fromNorthEast = 35.0, eyeAltitude = 35.0;
-/// Colours of windows that pass and that don't, told apart without red and green, and of cells that
+/// Colours of windows that pass and that don't, distinct without red and green, and of cells that
 /// are left out.
 constexpr DisplayColor passing = 0x0072B2, failing = 0xD55E00, leftOut = 0x808080;
 /// Windows up to which pictures have their numbers.
