@@ -33,10 +33,14 @@ inline void occluded(RTCScene scene, Context& context, RTCRay& ray) {
     rtcOccluded1(scene, &ray, &arguments);
 }
 
-/// The same for eight coherent rays, those with valid[i] = -1.
+/// The same for coherent rays, those with valid[i] = -1.
 inline void occluded(RTCScene scene, Context& context, const int* valid, RTCRay8& rays) {
     RTCOccludedArguments arguments = argumentsOf(context, true);
     rtcOccluded8(valid, scene, &rays, &arguments);
+}
+inline void occluded(RTCScene scene, Context& context, const int* valid, RTCRay16& rays) {
+    RTCOccludedArguments arguments = argumentsOf(context, true);
+    rtcOccluded16(valid, scene, &rays, &arguments);
 }
 
 #else
@@ -53,10 +57,14 @@ inline void occluded(RTCScene scene, Context& context, RTCRay& ray) {
     rtcOccluded1(scene, &context, &ray);
 }
 
-/// The same for eight coherent rays, those with valid[i] = -1.
+/// The same for coherent rays, those with valid[i] = -1.
 inline void occluded(RTCScene scene, Context& context, const int* valid, RTCRay8& rays) {
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     rtcOccluded8(valid, scene, &context, &rays);
+}
+inline void occluded(RTCScene scene, Context& context, const int* valid, RTCRay16& rays) {
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcOccluded16(valid, scene, &context, &rays);
 }
 
 #endif

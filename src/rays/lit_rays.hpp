@@ -38,7 +38,7 @@ class LitRays {
     /// - if the light grazes the triangle (docs/method.md, C47);
     /// - if a caster other than its triangle, and not in the triangle's plane, blocks the light.
     ///
-    /// Neighbours in `points` share packets of eight rays, and neighbours in `directions` are
+    /// Neighbours in `points` share packets of sixteen rays, and neighbours in `directions` are
     /// likely to be blocked by the same triangle: lists in which neighbours are close together are
     /// quickest. `progress` receives the share done, from the caller's thread alone; it may be
     /// null.

@@ -199,8 +199,8 @@ void RayTree::visitPacket(const Origins& origins, const glm::dvec3& direction, L
     embree::init(search.context);
     search.test = test;
     search.state = state;
-    alignas(32) int valid[packetSize];
-    RTCRay8 packet;
+    alignas(64) int valid[packetSize];
+    RTCRay16 packet;
     for (std::size_t i = 0; i < packetSize; ++i) {
         valid[i] = (rays >> i & 1) != 0 ? -1 : 0;
         packet.org_x[i] = origins.x[i];

@@ -11,10 +11,10 @@
 namespace edgeshade::rays {
 
 /// Rays of one packet.
-inline constexpr std::size_t packetSize = 8;
+inline constexpr std::size_t packetSize = 16;
 
 /// A set of a packet's rays, a bit each.
-using Lanes = std::uint8_t;
+using Lanes = std::uint16_t;
 
 /// Embree's tree of boxes around triangles. It finds every triangle that a ray meets, taken as the
 /// doubles that both are, and some that it misses (docs/method.md, C56). Thread-safe once built.
@@ -34,7 +34,7 @@ class RayTree {
 
     /// Where rays start, in the tree's own coordinates.
     struct Origins {
-        alignas(32) float x[packetSize], y[packetSize], z[packetSize];
+        alignas(64) float x[packetSize], y[packetSize], z[packetSize];
         bool inside =
             true; ///< all are within the tree's box or close to it; else they need visit()
     };

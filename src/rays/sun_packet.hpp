@@ -13,8 +13,8 @@ struct SunDirection {
     std::span<const glm::dvec3> inBatch; ///< by slot of a batch, see SunPacket
 };
 
-/// Up to eight points, and the search for what blocks their light from one direction after another.
-/// Allocates nothing, except where integers decide.
+/// Up to sixteen points, and the search for what blocks their light from one direction after
+/// another. Allocates nothing, except where integers decide.
 class SunPacket {
   public:
     /// `points`: 1 to packetSize. `slots`: by batch, where SunDirection::inBatch has it.
@@ -34,7 +34,7 @@ class SunPacket {
         glm::dvec3 normalInBatch; ///< of length 1; 0: the triangle has no area there
         std::uint32_t slot;       ///< of its batch
         bool casts;
-        /// Of the points, those that are looked at from the side of `normal`, and from the other.
+        /// The points that are looked at from the side of `normal`, and from the other side.
         Lanes fromFront, fromBack;
     };
 
@@ -44,7 +44,7 @@ class SunPacket {
     /// Tests whether a triangle blocks the light of points that are still lit; returns those that
     /// it blocks.
     Lanes test(std::uint32_t triangle);
-    /// Those of the points that a triangle blocks, by integers.
+    /// Points that a triangle blocks, by integers.
     Lanes settled(std::uint32_t triangle, Lanes doubtful) const;
     Lanes withoutHoles(std::uint32_t triangle, Lanes blocked) const;
 
