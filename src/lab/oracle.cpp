@@ -190,6 +190,13 @@ bool Oracle::isHole(const SurfaceTriangle& triangle, double u, double v) const {
     return question_.cutoutsCast && isCutOut(triangle, u, v);
 }
 
+bool Oracle::isHoleAt(std::uint32_t triangle, const glm::dvec3& origin,
+                      const glm::dvec3& direction) const {
+    if (!question_.cutoutsCast) return false;
+    const Meeting meeting = intersect(triangles_[triangle], origin, 0.0, direction);
+    return isHole(triangles_[triangle], meeting.u, meeting.v);
+}
+
 bool Oracle::isCutOutByFilter(const SurfaceTriangle& triangle, double x, double y,
                               double depth) const {
     const Material& material = question_.scene->materials[triangle.material];
@@ -206,44 +213,56 @@ bool Oracle::isCutOutByFilter(const SurfaceTriangle& triangle, double x, double 
     return range.x < material.alphaCutoff && range.y >= material.alphaCutoff;
 }
 
-void Oracle::visitSurfaces(const PixelRay& ray,
-                           const std::function<void(const Hit&, bool certain)>& visit) const {
-    tree_.visit(ray.origin, ray.direction, infinity, [&](std::uint32_t i) {
-        const SurfaceTriangle& triangle = triangles_[i];
-        if (!triangle.visible) return false;
-        const Meeting meeting = intersect(triangle, ray.origin, 0.0, ray.direction);
-        const bool hit = meeting.inside() && meeting.t >= question_.near &&
-                         !isCutOut(triangle, meeting.u, meeting.v);
-        // Texture filtering decides the edge of a cutout, and has no error bound.
-        const bool certain =
-            meeting.certain() && std::abs(meeting.t - question_.near) > meeting.tError &&
-            question_.scene->materials[triangle.material].alphaMode == AlphaMode::opaque;
-        if (hit || !certain) visit({i, hit ? meeting.t : infinity, meeting.tError}, certain);
-        return false;
-    });
+std::optional<Oracle::Sighting> Oracle::sightingOf(std::uint32_t i, const PixelRay& ray) const {
+    const SurfaceTriangle& triangle = triangles_[i];
+    if (!triangle.visible) return std::nullopt;
+    const Meeting meeting = intersect(triangle, ray.origin, 0.0, ray.direction);
+    const bool hit = meeting.inside() && meeting.t >= question_.near &&
+                     !isCutOut(triangle, meeting.u, meeting.v);
+    // Texture filtering decides the edge of a cutout, and has no error bound.
+    const bool certain =
+        meeting.certain() && std::abs(meeting.t - question_.near) > meeting.tError &&
+        question_.scene->materials[triangle.material].alphaMode == AlphaMode::opaque;
+    if (!hit && certain) return std::nullopt;
+    return Sighting{{i, hit ? meeting.t : infinity, meeting.tError}, certain};
 }
 
-Oracle::Checked Oracle::checkedAt(double x, double y) const {
+Oracle::First Oracle::firstAt(double x, double y) const {
+    const PixelRay ray = pixelRay(question_, x, y);
     Hit nearest{0, infinity, 0.0};
     double second = infinity; // least possible depth of another surface
     bool certain = true;
-    visitSurfaces(pixelRay(question_, x, y), [&](const Hit& hit, bool sure) {
-        certain = certain && sure;
-        const bool closer = hit.depth < nearest.depth;
-        const Hit& farther = closer ? nearest : hit;
-        second = std::min(second, farther.depth - farther.error);
-        if (closer) nearest = hit;
+    tree_.visitInOrder(ray.origin, ray.direction, [&](std::uint32_t i) {
+        if (const std::optional<Sighting> seen = sightingOf(i, ray)) {
+            const Hit& hit = seen->hit;
+            certain = certain && seen->certain;
+            const bool closer =
+                hit.depth < nearest.depth || (hit.depth == nearest.depth && i < nearest.triangle);
+            const Hit& farther = closer ? nearest : hit;
+            second = std::min(second, farther.depth - farther.error);
+            if (closer) nearest = hit;
+        }
+        return nearest.depth + nearest.error;
     });
-    if (!std::isfinite(nearest.depth)) return {{}, certain};
-    Checked checked = checkedOn(nearest, x, y);
-    checked.certain = checked.certain && certain && nearest.depth + nearest.error < second;
+    if (!std::isfinite(nearest.depth)) return {std::nullopt, certain};
+    return {nearest, certain && nearest.depth + nearest.error < second};
+}
+
+Oracle::Checked Oracle::checkedAt(double x, double y) const {
+    const First first = firstAt(x, y);
+    if (!first.hit) return {{}, first.certain};
+    Checked checked = checkedOn(*first.hit, x, y);
+    checked.certain = checked.certain && first.certain;
     return checked;
 }
 
 std::vector<Oracle::Hit> Oracle::surfacesAt(double x, double y) const {
+    const PixelRay ray = pixelRay(question_, x, y);
     std::vector<Hit> hits;
-    visitSurfaces(pixelRay(question_, x, y), [&](const Hit& hit, bool) {
-        if (std::isfinite(hit.depth)) hits.push_back(hit);
+    tree_.visit(ray.origin, ray.direction, infinity, [&](std::uint32_t i) {
+        const std::optional<Sighting> seen = sightingOf(i, ray);
+        if (seen && std::isfinite(seen->hit.depth)) hits.push_back(seen->hit);
+        return false;
     });
     return hits;
 }

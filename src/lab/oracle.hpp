@@ -8,7 +8,7 @@
 
 #include <array>
 #include <functional>
-#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -94,6 +94,14 @@ class Oracle {
     Answer at(double x, double y) const { return checkedAt(x, y).answer; }
     Checked checkedAt(double x, double y) const;
 
+    /// The first visible surface on the ray of a picture point, of surfaces at one depth the first
+    /// triangle; and whether rounding certainly did not change it. Null: the ray meets none.
+    struct First {
+        std::optional<Hit> hit;
+        bool certain = true;
+    };
+    First firstAt(double x, double y) const;
+
     /// All visible surfaces on the ray of a picture point, as if none hid another.
     std::vector<Hit> surfacesAt(double x, double y) const;
 
@@ -118,6 +126,10 @@ class Oracle {
     /// Whether light passes through the triangle at these coordinates.
     bool isHole(const SurfaceTriangle& triangle, double u, double v) const;
 
+    /// The same where the line from `origin` meets the triangle.
+    bool isHoleAt(std::uint32_t triangle, const glm::dvec3& origin,
+                  const glm::dvec3& direction) const;
+
     /// Whether the texture filter may decide if the triangle is cut out at a picture point, at a
     /// depth of at most `depth`.
     bool isCutOutByFilter(const SurfaceTriangle& triangle, double x, double y, double depth) const;
@@ -141,8 +153,12 @@ class Oracle {
     const Cone* coneOf(std::size_t light) const;
 
   private:
-    void visitSurfaces(const PixelRay& ray,
-                       const std::function<void(const Hit&, bool certain)>& visit) const;
+    /// A visible triangle that a line of sight may meet: depth is infinite if it doesn't.
+    struct Sighting {
+        Hit hit;
+        bool certain; ///< whether it is met, certainly
+    };
+    std::optional<Sighting> sightingOf(std::uint32_t triangle, const PixelRay& ray) const;
     Checked checkedOn(const Hit& hit, double x, double y) const;
     bool isBlocked(std::uint32_t own, const glm::dvec3& point, double pointError, std::size_t light,
                    bool& certain) const;

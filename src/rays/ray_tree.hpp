@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
+#include <vector>
 
 namespace edgeshade::rays {
 
@@ -32,6 +34,11 @@ class RayTree {
     void visit(const glm::dvec3& origin, const glm::dvec3& direction, double length,
                const std::function<bool(std::uint32_t)>& visit) const;
 
+    /// Calls visit(triangle) for all triangles that origin + t * direction may meet at t from 0 to
+    /// the least value that visit() has returned so far, near ones first, more or less.
+    void visitInOrder(const glm::dvec3& origin, const glm::dvec3& direction,
+                      const std::function<double(std::uint32_t)>& visit) const;
+
     /// Where rays start, in the tree's own coordinates.
     struct Origins {
         alignas(64) float x[packetSize], y[packetSize], z[packetSize];
@@ -51,6 +58,11 @@ class RayTree {
 
   private:
     struct Data;
+    struct Line;
+
+    /// Null: the line meets no triangle.
+    std::optional<Line> lineOf(const glm::dvec3& origin, const glm::dvec3& direction) const;
+
     std::unique_ptr<Data> data_;
 };
 
