@@ -226,6 +226,11 @@ const std::vector<Option> sunlight = {
          std::to_string(static_cast<int>(hours::presetYear)) + "."},
     {"--at X,Y,Z", "", usual(sunhours), "Report the hours at this point; may be repeated",
      "X,Y,Z,NX,NY,NZ adds the direction that it faces."},
+    {"--by WORD", words({"auto", "rays", "masks"}), "=auto", usual(sunhours),
+     "What counts the sun positions",
+     "rays: rays without rounding, on all cores. masks: exact shadow masks that the GL draws. "
+     "auto: "
+     "rays where the processor draws, masks where hardware does."},
     {"--counts OUT.png", "", usual(sunhours | merge),
      "Picture of counted sun positions, 16-bit grey", "Pixels without a surface are clear."},
     {"--part K/N", "", usual(sunhours),

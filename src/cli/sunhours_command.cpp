@@ -10,9 +10,11 @@
 #include "preprocess/reading/scene_names.hpp"
 #include "src/cli/draw_settings.hpp"
 #include "src/cli/sunhours_files.hpp"
+#include "src/cli/sunhours_way.hpp"
 #include "src/gl/headless_context.hpp"
 #include "src/hours/part_file.hpp"
 #include "src/lab/pixel_surfaces.hpp"
+#include "src/lab/sun_counts.hpp"
 #include "src/lab/sun_probe.hpp"
 #include "src/lab/texture_alpha.hpp"
 #include "src/render/accumulation/direction_counts.hpp"
@@ -29,8 +31,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Shares of the progress bar at which stages begin.
-constexpr double surfacesFrom = 0.85, probesFrom = 0.95;
+/// Shares of the progress bar: of measuring surfaces, and of counting.
+constexpr double surfacesShare = 0.1, countingShare = 0.85;
 
 Json cameraJson(const Frustum& frustum) {
     Json camera = {{"matrix", std::vector<double>(glm::value_ptr(frustum.viewFromWorld),
@@ -82,6 +84,10 @@ std::vector<glm::dvec3> directionsOf(const std::vector<hours::Position>& positio
     return directions;
 }
 
+std::string countingText(std::size_t positions) {
+    return "counting " + std::to_string(positions) + " sun positions";
+}
+
 LitCounts countLit(const SunHoursOptions& options, const LoadedScene& loaded,
                    const FrameRequest& request, const std::vector<glm::dvec3>& directions,
                    ProgressBar& bar) {
@@ -94,30 +100,29 @@ LitCounts countLit(const SunHoursOptions& options, const LoadedScene& loaded,
     GpuScene scene = uploadScene(loaded, draw.render.records(), context.capabilities());
     return countDirections(
         loaded, request, directions, renderer, scene, context.capabilities(), [&](double share) {
-            bar.show(surfacesFrom * share,
-                     "counting " + std::to_string(directions.size()) + " sun positions");
+            bar.show(surfacesShare + countingShare * share, countingText(directions.size()));
         });
 }
 
 /// The node that cut faces of a section count as; no file has so many nodes.
 constexpr std::uint32_t fillNode = hours::Exposure::none - 1;
 
-/// Adds the visible surfaces to the part, by area, material and node.
-void addSurfaces(const LoadedScene& loaded, const FrameRequest& request,
-                 const lab::AlphaLookup& alpha, hours::Part& part, ProgressBar& bar) {
+lab::Question questionOf(const LoadedScene& loaded, const FrameRequest& request) {
     const FrameView view = makeFrameView(loaded.scene, request, worldBounds(loaded.scene));
     lab::Question question;
     question.scene = &loaded.scene;
     question.castMasked = loaded.settings.castMasked;
+    question.cutoutsCast = loaded.cutoutsCast;
     question.frustum = view.frustum;
     question.near = view.near();
     question.width = request.width;
     question.height = request.height;
-    const lab::Oracle oracle(question, alpha);
-    const std::vector<lab::PixelSurface> surfaces = lab::pixelSurfaces(oracle, [&](double share) {
-        bar.show(surfacesFrom + (probesFrom - surfacesFrom) * share, "measuring surfaces");
-    });
+    return question;
+}
 
+/// Adds the visible surfaces to the part, by area, material and node.
+void addSurfaces(const LoadedScene& loaded, const lab::Oracle& oracle,
+                 const std::vector<lab::PixelSurface>& surfaces, hours::Part& part) {
     hours::Exposure& exposure = part.exposure;
     exposure.material.assign(surfaces.size(), hours::Exposure::none);
     exposure.node.assign(surfaces.size(), hours::Exposure::none);
@@ -142,10 +147,37 @@ void addSurfaces(const LoadedScene& loaded, const FrameRequest& request,
     }
 }
 
+/// Counts the part's positions for each pixel, and measures the visible surfaces.
+void expose(const SunHoursOptions& options, const SunHoursWay& way, const LoadedScene& loaded,
+            const FrameRequest& request, const lab::AlphaLookup& alpha,
+            const std::vector<glm::dvec3>& directions, hours::Part& part, ProgressBar& bar) {
+    const lab::Oracle oracle(questionOf(loaded, request), alpha);
+    const std::vector<lab::PixelSurface> surfaces = lab::pixelSurfaces(
+        oracle, [&](double share) { bar.show(surfacesShare * share, "measuring surfaces"); });
+    hours::Exposure& exposure = part.exposure;
+    exposure.width = request.width;
+    exposure.height = request.height;
+    if (way.byRays) {
+        exposure.lit = lab::litCounts(oracle, surfaces, directions, [&](double share) {
+            bar.show(surfacesShare + countingShare * share, countingText(directions.size()));
+        });
+        for (const lab::PixelSurface& surface : surfaces)
+            exposure.surface.push_back(surface.area > 0.0);
+    } else {
+        const LitCounts counts = countLit(options, loaded, request, directions, bar);
+        exposure.lit = counts.lit;
+        for (const std::uint16_t drawn : counts.surface)
+            exposure.surface.push_back(drawn > 0);
+    }
+    addSurfaces(loaded, oracle, surfaces, part);
+}
+
 void sunHours(const SunHoursOptions& options) {
+    const SunHoursWay way = wayOf(options);
     const hours::Schedule schedule = options.schedule();
     const std::vector<hours::Position> positions = hours::positionsOf(schedule);
-    LoadedScene loaded = options.load(Shading::base, ShadowMethod::volumes, false);
+    LoadedScene loaded = options.load(
+        Shading::base, way.byRays ? ShadowMethod::primitiveMap : ShadowMethod::volumes, false);
     Warnings& warnings = loaded.scene.warnings;
     if (positions.empty())
         warnings.add("The sun is never higher than " +
@@ -162,6 +194,8 @@ void sunHours(const SunHoursOptions& options) {
     std::tie(part.number, part.of) =
         options.part.value_or(std::pair<std::size_t, std::size_t>(1, 1));
     part.settings = options.settingsJson(schedule, loaded.scene);
+    part.settings["by"] = nameOf(way);
+    part.settings["by-reason"] = way.why;
     part.camera = cameraJson(request.frustum);
     part.scene = hashOf(loaded.scene);
     part.warnings = warnings.sentences();
@@ -171,18 +205,10 @@ void sunHours(const SunHoursOptions& options) {
 
     ProgressBar bar;
     const std::vector<glm::dvec3> directions = directionsOf(part.positions);
-    const LitCounts counts = countLit(options, loaded, request, directions, bar);
-    hours::Exposure& exposure = part.exposure;
-    exposure.width = counts.width;
-    exposure.height = counts.height;
-    exposure.lit = counts.lit;
-    for (const std::uint16_t drawn : counts.surface)
-        exposure.surface.push_back(drawn > 0);
-
     const lab::AlphaLookup alpha = lab::textureAlpha(loaded);
-    addSurfaces(loaded, request, alpha, part, bar);
+    expose(options, way, loaded, request, alpha, directions, part, bar);
     for (const hours::ProbePoint& probe : options.probes) {
-        bar.show(probesFrom, "testing points");
+        bar.show(surfacesShare + countingShare, "testing points");
         part.probes.push_back(
             {probe, lab::seenFrom(loaded, alpha, probe.point, probe.normal, directions)});
     }
@@ -215,13 +241,7 @@ void addSunHoursCommand(CLI::App& program) {
     verb->add_option("OUT", options->files.picture, "The picture, .png, or the part of --part")
         ->required();
     addSunHoursOptions(*verb, *options);
-    verb->callback([options] {
-        if (options->cutoutsCast)
-            throw Error(ExitStatus::usage,
-                        "--cast-cutouts does not go with sunhours, whose shadow volumes count no "
-                        "cutouts; --cast-masked casts whole triangles.");
-        sunHours(*options);
-    });
+    verb->callback([options] { sunHours(*options); });
 }
 
 } // namespace edgeshade::cli

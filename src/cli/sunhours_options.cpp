@@ -169,6 +169,7 @@ nlohmann::ordered_json SunHoursOptions::settingsJson(const hours::Schedule& sche
         {"threshold", wanted ? Json(*wanted) : Json(nullptr)},
         {"preset", preset ? Json(preset->name) : Json(nullptr)},
         {"cast-masked", casters.castMasked},
+        {"cast-cutouts", cutoutsCast},
         {"gl-limits", glLimitsName(glLimits)},
     };
     if (!variant.empty()) settings["variant"] = variant;
@@ -193,6 +194,8 @@ void addSunHoursOptions(CLI::App& verb, SunHoursOptions& options) {
         plan->excludes(verb.get_option(other));
     addRepeated(verb, "--at",
                 [&](const std::string& text) { options.probes.push_back(probeFrom(text)); });
+    addWords(verb, "--by", options.by,
+             std::vector{SunHoursBy::automatic, SunHoursBy::rays, SunHoursBy::masks});
     addSunHoursFileOptions(verb, options.files);
     addOption(verb, "--part", [&](const std::string& text) { options.part = partFrom(text); })
         ->excludes(verb.get_option("--counts"))

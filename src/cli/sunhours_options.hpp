@@ -19,6 +19,9 @@ struct SunHoursFiles {
     std::string report;  ///< empty: none
 };
 
+/// Values of `--by`.
+enum class SunHoursBy { automatic, rays, masks };
+
 /// Options of `sunhours`, as typed.
 struct SunHoursOptions : SceneOptions {
     SunHoursFiles files; ///< for a part, `picture` is the part's file
@@ -28,6 +31,7 @@ struct SunHoursOptions : SceneOptions {
     int step{};            ///< minutes that each sun position stands for
     hours::Schedule typed; ///< its hours, least altitude and north
     bool plan = false;
+    SunHoursBy by = SunHoursBy::automatic;
     std::optional<double> threshold; ///< hours per day
     const hours::Preset* preset = nullptr;
     std::vector<hours::ProbePoint> probes;

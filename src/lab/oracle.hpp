@@ -1,13 +1,14 @@
 #pragma once
 
 #include "src/lab/light_set.hpp"
-#include "src/rays/ray_tree.hpp"
+#include "src/rays/surface_set.hpp"
 #include "src/rays/surface_triangles.hpp"
 #include "src/shadow/lights/light.hpp"
 #include "src/shadow/view/frustum.hpp"
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -121,7 +122,9 @@ class Oracle {
     bool isOpen(std::span<const std::uint32_t> own, const glm::dvec3& direction) const;
 
     const Question& question() const { return question_; }
-    const std::vector<SurfaceTriangle>& triangles() const { return triangles_; }
+    const std::vector<SurfaceTriangle>& triangles() const { return surfaces_->triangles; }
+    /// The triangles, for other rays.
+    const std::shared_ptr<const rays::SurfaceSet>& surfaces() const { return surfaces_; }
     bool isCutOut(const SurfaceTriangle& triangle, double u, double v) const;
     /// Whether light passes through the triangle at these coordinates.
     bool isHole(const SurfaceTriangle& triangle, double u, double v) const;
@@ -171,8 +174,7 @@ class Oracle {
     glm::dvec3 position_; ///< of the camera
     glm::dvec4 eye_;
     AlphaLookup alpha_;
-    std::vector<SurfaceTriangle> triangles_;
-    rays::RayTree tree_;
+    std::shared_ptr<const rays::SurfaceSet> surfaces_;
     std::vector<std::vector<glm::dvec4>> lightInBatch_; ///< by light and batch
     std::vector<std::vector<std::uint32_t>> touched_;   ///< by light, ascending
 };

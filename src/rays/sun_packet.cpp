@@ -82,9 +82,9 @@ outcomeOf(const std::array<HalfSpace, 4>& spaces, const double* x, const double*
 
 } // namespace
 
-SunPacket::SunPacket(const Casters& casters, std::span<const SurfacePoint> points,
-                     std::span<const std::uint32_t> slots)
-    : casters_(casters), points_(points) {
+SunPacket::SunPacket(const SurfaceSet& surfaces, const Holes& holes,
+                     std::span<const SurfacePoint> points, std::span<const std::uint32_t> slots)
+    : set_(surfaces), holes_(holes), points_(points) {
     for (std::size_t i = 0; i < points.size(); ++i) {
         double error = 0.0;
         addSurface(i, slots);
@@ -98,7 +98,7 @@ SunPacket::SunPacket(const Casters& casters, std::span<const SurfacePoint> point
         z_[i] = offset.z;
         reach_ = std::max(reach_, largestComponent(offset));
     }
-    origins_ = casters.tree.originsOf(std::span(places_).first(points.size()));
+    origins_ = surfaces.tree.originsOf(std::span(places_).first(points.size()));
 }
 
 void SunPacket::addSurface(std::size_t point, std::span<const std::uint32_t> slots) {
@@ -109,10 +109,10 @@ void SunPacket::addSurface(std::size_t point, std::span<const std::uint32_t> slo
     while (i < surfaceCount_ && surfaces_[i].triangle != at.triangle)
         ++i;
     Surface& surface = surfaces_[i];
-    const Corners& corners = casters_.corners[at.triangle];
+    const Corners& corners = set_.corners[at.triangle];
     if (i == surfaceCount_) {
         ++surfaceCount_;
-        const SurfaceTriangle& triangle = casters_.triangles[at.triangle];
+        const SurfaceTriangle& triangle = set_.triangles[at.triangle];
         const glm::dvec3 ab = corners[1] - corners[0], ac = corners[2] - corners[0];
         surface.triangle = at.triangle;
         surface.normal = glm::cross(ab, ac);
@@ -135,7 +135,7 @@ void SunPacket::place(std::size_t point, glm::dvec3& place, double& error) const
     place = at.origin;
     error = 0.0;
     if (at.triangle == SurfacePoint::none || at.direction == glm::dvec3(0.0)) return;
-    const Corners& corners = casters_.corners[at.triangle];
+    const Corners& corners = set_.corners[at.triangle];
     const auto surface = std::find_if(surfaces_.begin(), surfaces_.end(), [&](const Surface& of) {
         return of.triangle == at.triangle;
     });
@@ -174,8 +174,8 @@ Lanes SunPacket::facing(const SunDirection& sun) const {
             facing |= surface.points;
             continue;
         }
-        const int side = sideOf(casters_.corners[surface.triangle], surface.normal,
-                                surface.normalError, sun.scaled);
+        const int side =
+            sideOf(set_.corners[surface.triangle], surface.normal, surface.normalError, sun.scaled);
         const auto turnedAway = static_cast<Lanes>(side > 0   ? surface.fromBack
                                                    : side < 0 ? surface.fromFront
                                                               : 0);
@@ -192,7 +192,7 @@ Lanes SunPacket::lit(const SunDirection& sun) {
     if (blocker_ != SurfacePoint::none) test(blocker_);
     if (lit_ == 0) return 0;
     if (origins_.inside) {
-        casters_.tree.visitPacket(
+        set_.tree.visitPacket(
             origins_, sun.scaled, lit_,
             [](void* packet, std::uint32_t triangle) {
                 auto* self = static_cast<SunPacket*>(packet);
@@ -204,21 +204,22 @@ Lanes SunPacket::lit(const SunDirection& sun) {
     }
     for (std::size_t i = 0; i < points_.size(); ++i)
         if ((lit_ >> i & 1) != 0)
-            casters_.tree.visit(places_[i], sun.scaled, std::numeric_limits<double>::infinity(),
-                                [&](std::uint32_t triangle) {
-                                    test(triangle);
-                                    return (lit_ >> i & 1) == 0;
-                                });
+            set_.tree.visit(places_[i], sun.scaled, std::numeric_limits<double>::infinity(),
+                            [&](std::uint32_t triangle) {
+                                test(triangle);
+                                return (lit_ >> i & 1) == 0;
+                            });
     return lit_;
 }
 
 Lanes SunPacket::test(std::uint32_t triangle) {
+    if (!set_.triangles[triangle].casts) return 0;
     Lanes open = lit_;
     for (std::size_t i = 0; i < surfaceCount_; ++i)
         if (surfaces_[i].triangle == triangle) open &= static_cast<Lanes>(~surfaces_[i].points);
     if (open == 0) return 0;
 
-    const Corners& corners = casters_.corners[triangle];
+    const Corners& corners = set_.corners[triangle];
     const glm::dvec3& sun = sun_->scaled;
     const glm::dvec3 ab = corners[1] - corners[0], bc = corners[2] - corners[1],
                      ca = corners[0] - corners[2];
@@ -254,8 +255,7 @@ Lanes SunPacket::test(std::uint32_t triangle) {
         blocked = settled(triangle, open);
     }
     if (blocked == 0) return 0;
-    if (!casters_.mayHaveHoles.empty() && casters_.mayHaveHoles[triangle] != 0)
-        blocked = withoutHoles(triangle, blocked);
+    blocked = withoutHoles(triangle, blocked);
     lit_ &= static_cast<Lanes>(~blocked);
     if (blocked != 0) blocker_ = triangle;
     return blocked;
@@ -266,8 +266,8 @@ Lanes SunPacket::settled(std::uint32_t triangle, Lanes doubtful) const {
     for (std::size_t i = 0; i < points_.size(); ++i) {
         if ((doubtful >> i & 1) == 0) continue;
         const std::uint32_t own = points_[i].triangle;
-        if (blocksExactly(points_[i], own == SurfacePoint::none ? nullptr : &casters_.corners[own],
-                          casters_.corners[triangle], glm::dvec4(sun_->exact, 0.0)))
+        if (blocksExactly(points_[i], own == SurfacePoint::none ? nullptr : &set_.corners[own],
+                          set_.corners[triangle], glm::dvec4(sun_->exact, 0.0)))
             blocked |= static_cast<Lanes>(1u << i);
     }
     return blocked;
@@ -275,7 +275,8 @@ Lanes SunPacket::settled(std::uint32_t triangle, Lanes doubtful) const {
 
 Lanes SunPacket::withoutHoles(std::uint32_t triangle, Lanes blocked) const {
     for (std::size_t i = 0; i < points_.size(); ++i)
-        if ((blocked >> i & 1) != 0 && casters_.isHoleAt(triangle, places_[i], sun_->scaled))
+        if ((blocked >> i & 1) != 0 &&
+            holes_.at(set_.triangles, triangle, places_[i], sun_->scaled))
             blocked &= static_cast<Lanes>(~(1u << i));
     return blocked;
 }

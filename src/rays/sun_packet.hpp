@@ -1,6 +1,7 @@
 #pragma once
 
-#include "src/rays/casters.hpp"
+#include "src/rays/holes.hpp"
+#include "src/rays/surface_set.hpp"
 
 #include <span>
 
@@ -18,7 +19,7 @@ struct SunDirection {
 class SunPacket {
   public:
     /// `points`: 1 to packetSize. `slots`: by batch, where SunDirection::inBatch has it.
-    SunPacket(const Casters& casters, std::span<const SurfacePoint> points,
+    SunPacket(const SurfaceSet& surfaces, const Holes& holes, std::span<const SurfacePoint> points,
               std::span<const std::uint32_t> slots);
 
     /// The points that the sun lights from that direction.
@@ -48,7 +49,8 @@ class SunPacket {
     Lanes settled(std::uint32_t triangle, Lanes doubtful) const;
     Lanes withoutHoles(std::uint32_t triangle, Lanes blocked) const;
 
-    const Casters& casters_;
+    const SurfaceSet& set_;
+    const Holes& holes_;
     std::span<const SurfacePoint> points_;
     std::array<glm::dvec3, packetSize> places_; ///< rounded
     std::array<Surface, packetSize> surfaces_{};
