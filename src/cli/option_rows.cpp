@@ -226,6 +226,11 @@ const std::vector<Option> sunlight = {
          std::to_string(static_cast<int>(hours::presetYear)) + ", or that of winter."},
     {"--at X,Y,Z", "", usual(sunhours), "Report the hours at this point; may be repeated",
      "X,Y,Z,NX,NY,NZ adds the direction that it faces."},
+    {"--by WORD", words({"auto", "rays", "masks"}), "=auto", usual(sunhours),
+     "What counts the sun positions",
+     "rays: rays without rounding, on all cores. masks: exact shadow masks that the GL draws. "
+     "auto: "
+     "rays where the processor draws, masks where hardware does."},
     {"--surfaces", usual(sunhours),
      "Measure every surface, whether a camera sees it or not, in cells of a grid",
      "OUT is one or more files. .glb: the cells as a coloured mesh. .csv: a table of cells. .npy: "
@@ -248,8 +253,7 @@ const std::vector<Option> sunlight = {
     {"--when", sunhours, "Add the first and the last time of sun to tables"},
     {"--counts OUT.png", "", Where(sunhours | merge, merge),
      "Picture of counted sun positions, 16-bit grey", "Pixels without a surface are clear."},
-    {"--part K/N", "", usual(sunhours),
-     "Count every N-th position from the K-th on, for sunhours-merge"},
+    {"--part K/N", "", sunhours, "Count every N-th position from the K-th on, for sunhours-merge"},
     {"--sun-hours", usual(view), "Show the hours of sunlight on the day of --time-of-day"}};
 
 const std::vector<Option> measuring = {

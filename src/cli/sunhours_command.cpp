@@ -12,9 +12,11 @@
 #include "src/cli/draw_settings.hpp"
 #include "src/cli/scene_hash.hpp"
 #include "src/cli/sunhours_files.hpp"
+#include "src/cli/sunhours_way.hpp"
 #include "src/gl/headless_context.hpp"
 #include "src/hours/part_file.hpp"
 #include "src/lab/pixel_surfaces.hpp"
+#include "src/lab/sun_counts.hpp"
 #include "src/lab/sun_probe.hpp"
 #include "src/lab/texture_alpha.hpp"
 #include "src/render/accumulation/direction_counts.hpp"
@@ -30,8 +32,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Shares of the progress bar at which stages begin.
-constexpr double surfacesFrom = 0.85, probesFrom = 0.95;
+/// Shares of the progress bar: of measuring surfaces, and of counting.
+constexpr double surfacesShare = 0.1, countingShare = 0.85;
 
 Json cameraJson(const Frustum& frustum) {
     Json camera = {{"matrix", std::vector<double>(glm::value_ptr(frustum.viewFromWorld),
@@ -64,6 +66,10 @@ std::vector<glm::dvec3> directionsOf(const std::vector<hours::Position>& positio
     return directions;
 }
 
+std::string countingText(std::size_t positions) {
+    return "counting " + std::to_string(positions) + " sun positions";
+}
+
 LitCounts countLit(const SunHoursOptions& options, const LoadedScene& loaded,
                    const FrameRequest& request, const std::vector<glm::dvec3>& directions,
                    ProgressBar& bar) {
@@ -76,30 +82,29 @@ LitCounts countLit(const SunHoursOptions& options, const LoadedScene& loaded,
     GpuScene scene = uploadScene(loaded, draw.render.records(), context.capabilities());
     return countDirections(
         loaded, request, directions, renderer, scene, context.capabilities(), [&](double share) {
-            bar.show(surfacesFrom * share,
-                     "counting " + std::to_string(directions.size()) + " sun positions");
+            bar.show(surfacesShare + countingShare * share, countingText(directions.size()));
         });
 }
 
 /// The node that cut faces of a section count as; no file has so many nodes.
 constexpr std::uint32_t fillNode = hours::Exposure::none - 1;
 
-/// Adds the visible surfaces to the part, by area, material and node.
-void addSurfaces(const LoadedScene& loaded, const FrameRequest& request,
-                 const lab::AlphaLookup& alpha, hours::Part& part, ProgressBar& bar) {
+lab::Question questionOf(const LoadedScene& loaded, const FrameRequest& request) {
     const FrameView view = makeFrameView(loaded.scene, request, worldBounds(loaded.scene));
     lab::Question question;
     question.scene = &loaded.scene;
     question.castMasked = loaded.settings.castMasked;
+    question.cutoutsCast = loaded.cutoutsCast;
     question.frustum = view.frustum;
     question.near = view.near();
     question.width = request.width;
     question.height = request.height;
-    const lab::Oracle oracle(question, alpha);
-    const std::vector<lab::PixelSurface> surfaces = lab::pixelSurfaces(oracle, [&](double share) {
-        bar.show(surfacesFrom + (probesFrom - surfacesFrom) * share, "measuring surfaces");
-    });
+    return question;
+}
 
+/// Adds the visible surfaces to the part, by area, material and node.
+void addSurfaces(const LoadedScene& loaded, const lab::Oracle& oracle,
+                 const std::vector<lab::PixelSurface>& surfaces, hours::Part& part) {
     hours::Exposure& exposure = part.exposure;
     exposure.material.assign(surfaces.size(), hours::Exposure::none);
     exposure.node.assign(surfaces.size(), hours::Exposure::none);
@@ -124,16 +129,45 @@ void addSurfaces(const LoadedScene& loaded, const FrameRequest& request,
     }
 }
 
+/// Counts the part's positions for each pixel, and measures the visible surfaces.
+void expose(const SunHoursOptions& options, const SunHoursWay& way, const LoadedScene& loaded,
+            const FrameRequest& request, const lab::AlphaLookup& alpha,
+            const std::vector<glm::dvec3>& directions, hours::Part& part, ProgressBar& bar) {
+    const lab::Oracle oracle(questionOf(loaded, request), alpha);
+    const std::vector<lab::PixelSurface> surfaces = lab::pixelSurfaces(
+        oracle, [&](double share) { bar.show(surfacesShare * share, "measuring surfaces"); });
+    hours::Exposure& exposure = part.exposure;
+    exposure.width = request.width;
+    exposure.height = request.height;
+    if (way.byRays) {
+        exposure.lit = lab::litCounts(oracle, surfaces, directions, [&](double share) {
+            bar.show(surfacesShare + countingShare * share, countingText(directions.size()));
+        });
+        for (const lab::PixelSurface& surface : surfaces)
+            exposure.surface.push_back(surface.area > 0.0);
+    } else {
+        const LitCounts counts = countLit(options, loaded, request, directions, bar);
+        exposure.lit = counts.lit;
+        for (const std::uint16_t drawn : counts.surface)
+            exposure.surface.push_back(drawn > 0);
+    }
+    addSurfaces(loaded, oracle, surfaces, part);
+}
+
 void sunHours(const SunHoursOptions& options) {
+    const SunHoursWay way = wayOf(options);
     const hours::Schedule schedule = options.schedule();
     const std::vector<hours::Position> positions = hours::positionsOf(schedule);
-    const LoadedScene loaded = options.loadForHours(schedule, positions);
+    const LoadedScene loaded = options.loadForHours(
+        schedule, positions, way.byRays ? ShadowMethod::primitiveMap : ShadowMethod::volumes);
     const FrameRequest request = requestOf(options, loaded.scene);
 
     hours::Part part;
     std::tie(part.number, part.of) =
         options.part.value_or(std::pair<std::size_t, std::size_t>(1, 1));
     part.settings = options.settingsJson(schedule, loaded.scene);
+    part.settings["by"] = nameOf(way);
+    part.settings["by-reason"] = way.why;
     part.camera = cameraJson(request.frustum);
     part.scene = hashOf(loaded.scene);
     part.warnings = loaded.scene.warnings.sentences();
@@ -143,18 +177,10 @@ void sunHours(const SunHoursOptions& options) {
 
     ProgressBar bar;
     const std::vector<glm::dvec3> directions = directionsOf(part.positions);
-    const LitCounts counts = countLit(options, loaded, request, directions, bar);
-    hours::Exposure& exposure = part.exposure;
-    exposure.width = counts.width;
-    exposure.height = counts.height;
-    exposure.lit = counts.lit;
-    for (const std::uint16_t drawn : counts.surface)
-        exposure.surface.push_back(drawn > 0);
-
     const lab::AlphaLookup alpha = lab::textureAlpha(loaded);
-    addSurfaces(loaded, request, alpha, part, bar);
+    expose(options, way, loaded, request, alpha, directions, part, bar);
     for (const hours::ProbePoint& probe : options.probes) {
-        bar.show(probesFrom, "testing points");
+        bar.show(surfacesShare + countingShare, "testing points");
         part.probes.push_back(
             {probe, lab::seenFrom(loaded, alpha, probe.point, probe.normal, directions)});
     }
@@ -204,10 +230,6 @@ void addSunHoursCommand(CLI::App& program) {
         ->required();
     addSunHoursOptions(*verb, *options);
     verb->callback([options] {
-        if (options->cutoutsCast && !options->surface.surfaces)
-            throw Error(ExitStatus::usage,
-                        "--cast-cutouts does not go with sunhours, whose shadow volumes count no "
-                        "cutouts; --cast-masked casts whole triangles.");
         options->readWeatherFile();
         if (options->surface.surfaces) return sunHoursOfSurfaces(*options);
         requirePicture(options->files);

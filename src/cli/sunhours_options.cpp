@@ -114,11 +114,9 @@ std::vector<std::string> SunHoursFiles::all() const {
 }
 
 LoadedScene SunHoursOptions::loadForHours(const hours::Schedule& schedule,
-                                          std::span<const hours::Position> positions) const {
-    // Rays of surfaces let light through cutouts, volumes don't.
-    LoadedScene loaded =
-        load(Shading::base, surface.surfaces ? ShadowMethod::primitiveMap : ShadowMethod::volumes,
-             false);
+                                          std::span<const hours::Position> positions,
+                                          ShadowMethod shadows) const {
+    LoadedScene loaded = load(Shading::base, shadows, false);
     Warnings& warnings = loaded.scene.warnings;
     if (positions.empty())
         warnings.add("The sun is never higher than " +
@@ -207,6 +205,7 @@ nlohmann::ordered_json SunHoursOptions::settingsJson(const hours::Schedule& sche
         {"threshold", wanted ? Json(*wanted) : Json(nullptr)},
         {"preset", preset ? Json(preset->name) : Json(nullptr)},
         {"cast-masked", casters.castMasked},
+        {"cast-cutouts", cutoutsCast},
         {"gl-limits", glLimitsName(glLimits)},
     };
     if (weather)
@@ -241,6 +240,8 @@ void addSunHoursOptions(CLI::App& verb, SunHoursOptions& options) {
         plan->excludes(verb.get_option(other));
     addRepeated(verb, "--at",
                 [&](const std::string& text) { options.probes.push_back(probeFrom(text)); });
+    addWords(verb, "--by", options.by,
+             std::vector{SunHoursBy::automatic, SunHoursBy::rays, SunHoursBy::masks});
     addSunHoursFileOptions(verb, options.files);
     addOption(verb, "--part", [&](const std::string& text) { options.part = partFrom(text); })
         ->excludes(verb.get_option("--counts"))

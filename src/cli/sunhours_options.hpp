@@ -25,6 +25,9 @@ struct SunHoursFiles {
     std::vector<std::string> all() const;
 };
 
+/// Values of `--by`.
+enum class SunHoursBy { automatic, rays, masks };
+
 /// Options of `sunhours`, as typed.
 struct SunHoursOptions : SceneOptions {
     SunHoursFiles files; ///< for a part, `picture` is the part's file
@@ -35,6 +38,7 @@ struct SunHoursOptions : SceneOptions {
     hours::Schedule typed;             ///< its hours and north
     std::optional<double> minAltitude; ///< degrees; null: the preset's, or 0
     bool plan = false;
+    SunHoursBy by = SunHoursBy::automatic;
     std::optional<double> threshold; ///< hours per day
     const hours::Preset* preset = nullptr;
     std::vector<hours::ProbePoint> probes;
@@ -52,9 +56,10 @@ struct SunHoursOptions : SceneOptions {
     /// Warning if --preset does not suit the dates; empty: none.
     std::string dateWarning() const;
     /// Loads the scene, and prints its warnings and those about dates and clock. `positions`: those
-    /// of the schedule.
+    /// of the schedule; `shadows`: as for load().
     LoadedScene loadForHours(const hours::Schedule& schedule,
-                             std::span<const hours::Position> positions) const;
+                             std::span<const hours::Position> positions,
+                             ShadowMethod shadows) const;
     /// The settings that reports and merging need. `schedule`: from schedule(). `scene`: as loaded.
     nlohmann::ordered_json settingsJson(const hours::Schedule& schedule, const Scene& scene) const;
 };

@@ -124,6 +124,9 @@ std::string summaryOf(const hours::SurfaceRun& run, const Json& report) {
 void sunHoursOfSurfaces(const SunHoursOptions& options) {
     for (const std::string& path : options.files.all())
         surfaceFileOf(path);
+    if (options.by == SunHoursBy::masks)
+        throw Error(ExitStatus::usage,
+                    "--by masks does not go with --surfaces, which only rays can measure.");
     const hours::Schedule schedule = options.schedule();
     hours::SurfaceRun run;
     run.positions = hours::positionsOf(schedule);
@@ -136,7 +139,8 @@ void sunHoursOfSurfaces(const SunHoursOptions& options) {
                                          ? hours::beamOf(*options.weather, run.positions, run.step)
                                          : std::vector<double>();
 
-    const LoadedScene loaded = options.loadForHours(schedule, run.positions);
+    const LoadedScene loaded =
+        options.loadForHours(schedule, run.positions, ShadowMethod::primitiveMap);
     ProgressBar bar;
     bar.show(0.0, "dividing surfaces");
     const hours::SensorLight light = sensorLight(loaded);

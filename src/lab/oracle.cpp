@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace edgeshade::lab {
 namespace {
@@ -96,16 +95,6 @@ double depthInCone(const Cone& cone, const glm::dvec3& fromLight) {
     return std::sin(cone.outer) * along - std::cos(cone.outer) * aside;
 }
 
-rays::RayTree treeOf(const std::vector<SurfaceTriangle>& triangles) {
-    std::vector<rays::Corners> corners;
-    corners.reserve(triangles.size());
-    for (const SurfaceTriangle& triangle : triangles)
-        corners.push_back({triangle.a, triangle.b, triangle.c});
-    std::vector<std::uint32_t> all(triangles.size());
-    std::iota(all.begin(), all.end(), 0u);
-    return {corners, std::move(all)};
-}
-
 } // namespace
 
 PixelRay pixelRay(const Question& question, double x, double y) {
@@ -121,9 +110,8 @@ PixelRay pixelRay(const Question& question, double x, double y) {
 Oracle::Oracle(const Question& question, const AlphaLookup& alpha)
     : question_(question), position_(question.frustum.position()),
       eye_(fromPosition(question.frustum.eye())), alpha_(alpha),
-      triangles_(rays::surfaceTriangles(*question.scene, question.frustum, question.castMasked,
-                                        question.cutoutsCast)),
-      tree_(treeOf(triangles_)) {
+      surfaces_(std::make_shared<const rays::SurfaceSet>(rays::surfaceTriangles(
+          *question.scene, question.frustum, question.castMasked, question.cutoutsCast))) {
     findTouched();
 }
 
@@ -143,9 +131,9 @@ void Oracle::findTouched() {
                                   0.0);
         }
         std::vector<std::uint32_t>& touched = touched_.emplace_back();
-        for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
-            const std::uint32_t batch = triangles_[i].batch;
-            if (reached[batch] && touches(cornersInBatch(triangles_[i]), places[batch]))
+        for (std::uint32_t i = 0; i < triangles().size(); ++i) {
+            const std::uint32_t batch = triangles()[i].batch;
+            if (reached[batch] && touches(cornersInBatch(triangles()[i]), places[batch]))
                 touched.push_back(i);
         }
     }
@@ -164,11 +152,11 @@ double Oracle::eyeSide(const SurfaceTriangle& triangle) const {
 }
 
 bool Oracle::blocks(std::uint32_t triangle, std::size_t light) const {
-    return triangles_[triangle].casts && !std::ranges::binary_search(touched_[light], triangle);
+    return triangles()[triangle].casts && !std::ranges::binary_search(touched_[light], triangle);
 }
 
 bool Oracle::isGrazed(std::uint32_t triangle, std::size_t light) const {
-    const SurfaceTriangle& surface = triangles_[triangle];
+    const SurfaceTriangle& surface = triangles()[triangle];
     return contactOf(cornersInBatch(surface), lightInBatch_[light][surface.batch]).grazes;
 }
 
@@ -190,6 +178,13 @@ bool Oracle::isHole(const SurfaceTriangle& triangle, double u, double v) const {
     return question_.cutoutsCast && isCutOut(triangle, u, v);
 }
 
+bool Oracle::isHoleAt(std::uint32_t triangle, const glm::dvec3& origin,
+                      const glm::dvec3& direction) const {
+    if (!question_.cutoutsCast) return false;
+    const Meeting meeting = intersect(triangles()[triangle], origin, 0.0, direction);
+    return isHole(triangles()[triangle], meeting.u, meeting.v);
+}
+
 bool Oracle::isCutOutByFilter(const SurfaceTriangle& triangle, double x, double y,
                               double depth) const {
     const Material& material = question_.scene->materials[triangle.material];
@@ -206,50 +201,62 @@ bool Oracle::isCutOutByFilter(const SurfaceTriangle& triangle, double x, double 
     return range.x < material.alphaCutoff && range.y >= material.alphaCutoff;
 }
 
-void Oracle::visitSurfaces(const PixelRay& ray,
-                           const std::function<void(const Hit&, bool certain)>& visit) const {
-    tree_.visit(ray.origin, ray.direction, infinity, [&](std::uint32_t i) {
-        const SurfaceTriangle& triangle = triangles_[i];
-        if (!triangle.visible) return false;
-        const Meeting meeting = intersect(triangle, ray.origin, 0.0, ray.direction);
-        const bool hit = meeting.inside() && meeting.t >= question_.near &&
-                         !isCutOut(triangle, meeting.u, meeting.v);
-        // Texture filtering decides the edge of a cutout, and has no error bound.
-        const bool certain =
-            meeting.certain() && std::abs(meeting.t - question_.near) > meeting.tError &&
-            question_.scene->materials[triangle.material].alphaMode == AlphaMode::opaque;
-        if (hit || !certain) visit({i, hit ? meeting.t : infinity, meeting.tError}, certain);
-        return false;
-    });
+std::optional<Oracle::Sighting> Oracle::sightingOf(std::uint32_t i, const PixelRay& ray) const {
+    const SurfaceTriangle& triangle = triangles()[i];
+    if (!triangle.visible) return std::nullopt;
+    const Meeting meeting = intersect(triangle, ray.origin, 0.0, ray.direction);
+    const bool hit = meeting.inside() && meeting.t >= question_.near &&
+                     !isCutOut(triangle, meeting.u, meeting.v);
+    // Texture filtering decides the edge of a cutout, and has no error bound.
+    const bool certain =
+        meeting.certain() && std::abs(meeting.t - question_.near) > meeting.tError &&
+        question_.scene->materials[triangle.material].alphaMode == AlphaMode::opaque;
+    if (!hit && certain) return std::nullopt;
+    return Sighting{{i, hit ? meeting.t : infinity, meeting.tError}, certain};
 }
 
-Oracle::Checked Oracle::checkedAt(double x, double y) const {
+Oracle::First Oracle::firstAt(double x, double y) const {
+    const PixelRay ray = pixelRay(question_, x, y);
     Hit nearest{0, infinity, 0.0};
     double second = infinity; // least possible depth of another surface
     bool certain = true;
-    visitSurfaces(pixelRay(question_, x, y), [&](const Hit& hit, bool sure) {
-        certain = certain && sure;
-        const bool closer = hit.depth < nearest.depth;
-        const Hit& farther = closer ? nearest : hit;
-        second = std::min(second, farther.depth - farther.error);
-        if (closer) nearest = hit;
+    surfaces_->tree.visitInOrder(ray.origin, ray.direction, [&](std::uint32_t i) {
+        if (const std::optional<Sighting> seen = sightingOf(i, ray)) {
+            const Hit& hit = seen->hit;
+            certain = certain && seen->certain;
+            const bool closer =
+                hit.depth < nearest.depth || (hit.depth == nearest.depth && i < nearest.triangle);
+            const Hit& farther = closer ? nearest : hit;
+            second = std::min(second, farther.depth - farther.error);
+            if (closer) nearest = hit;
+        }
+        return nearest.depth + nearest.error;
     });
-    if (!std::isfinite(nearest.depth)) return {{}, certain};
-    Checked checked = checkedOn(nearest, x, y);
-    checked.certain = checked.certain && certain && nearest.depth + nearest.error < second;
+    if (!std::isfinite(nearest.depth)) return {std::nullopt, certain};
+    return {nearest, certain && nearest.depth + nearest.error < second};
+}
+
+Oracle::Checked Oracle::checkedAt(double x, double y) const {
+    const First first = firstAt(x, y);
+    if (!first.hit) return {{}, first.certain};
+    Checked checked = checkedOn(*first.hit, x, y);
+    checked.certain = checked.certain && first.certain;
     return checked;
 }
 
 std::vector<Oracle::Hit> Oracle::surfacesAt(double x, double y) const {
+    const PixelRay ray = pixelRay(question_, x, y);
     std::vector<Hit> hits;
-    visitSurfaces(pixelRay(question_, x, y), [&](const Hit& hit, bool) {
-        if (std::isfinite(hit.depth)) hits.push_back(hit);
+    surfaces_->tree.visit(ray.origin, ray.direction, infinity, [&](std::uint32_t i) {
+        const std::optional<Sighting> seen = sightingOf(i, ray);
+        if (seen && std::isfinite(seen->hit.depth)) hits.push_back(seen->hit);
+        return false;
     });
     return hits;
 }
 
 Oracle::Checked Oracle::checkedOn(const Hit& hit, double x, double y) const {
-    const SurfaceTriangle& surface = triangles_[hit.triangle];
+    const SurfaceTriangle& surface = triangles()[hit.triangle];
     const PixelRay ray = pixelRay(question_, x, y);
     const glm::dvec3 point = ray.at(hit.depth);
     const double pointError = (hit.error + rounding * hit.depth) * magnitude(ray.direction) +
@@ -292,8 +299,8 @@ bool Oracle::isBlocked(std::uint32_t own, const glm::dvec3& point, double pointE
     const bool isDirectional = light.w == 0.0;
     const double directionError = isDirectional ? 0.0 : rounding * magnitude(glm::dvec3(light));
     bool blocked = false, surelyBlocked = false, sure = true;
-    tree_.visit(point, towards, isDirectional ? infinity : 1.0, [&](std::uint32_t i) {
-        const SurfaceTriangle& other = triangles_[i];
+    surfaces_->tree.visit(point, towards, isDirectional ? infinity : 1.0, [&](std::uint32_t i) {
+        const SurfaceTriangle& other = triangles()[i];
         if (i == own || !blocks(i, lightIndex)) return false;
         const Meeting meeting = intersect(other, point, pointError + directionError, towards);
         const bool between = meeting.t > 0.0 && (isDirectional || meeting.t < 1.0);
@@ -305,9 +312,9 @@ bool Oracle::isBlocked(std::uint32_t own, const glm::dvec3& point, double pointE
             sure = false; // texture filtering decides a cutout's edge
             return false;
         }
-        if (isNearlyCoplanar(triangles_[own], other)) {
+        if (isNearlyCoplanar(triangles()[own], other)) {
             sure = false;
-            blocked = blocked || !isCoplanar(triangles_[own], other);
+            blocked = blocked || !isCoplanar(triangles()[own], other);
             return false;
         }
         blocked = true;
@@ -321,7 +328,7 @@ bool Oracle::isBlocked(std::uint32_t own, const glm::dvec3& point, double pointE
 std::vector<std::uint32_t> Oracle::candidates(const glm::dvec3& origin, const glm::dvec3& direction,
                                               bool segment) const {
     std::vector<std::uint32_t> found;
-    tree_.visit(origin, direction, segment ? 1.0 : infinity, [&](std::uint32_t i) {
+    surfaces_->tree.visit(origin, direction, segment ? 1.0 : infinity, [&](std::uint32_t i) {
         found.push_back(i);
         return false;
     });
@@ -330,10 +337,10 @@ std::vector<std::uint32_t> Oracle::candidates(const glm::dvec3& origin, const gl
 
 bool Oracle::isOpen(std::span<const std::uint32_t> own, const glm::dvec3& direction) const {
     bool blocked = false;
-    tree_.visit(glm::dvec3(0.0), direction, infinity, [&](std::uint32_t i) {
-        const SurfaceTriangle& other = triangles_[i];
+    surfaces_->tree.visit(glm::dvec3(0.0), direction, infinity, [&](std::uint32_t i) {
+        const SurfaceTriangle& other = triangles()[i];
         const auto isBeneath = [&](std::uint32_t surface) {
-            return surface == i || isNearlyCoplanar(triangles_[surface], other);
+            return surface == i || isNearlyCoplanar(triangles()[surface], other);
         };
         if (!other.casts || std::ranges::any_of(own, isBeneath)) return false;
         const Meeting meeting = intersect(other, glm::dvec3(0.0), 0.0, direction);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "src/lab/light_set.hpp"
-#include "src/rays/ray_tree.hpp"
+#include "src/rays/surface_set.hpp"
 #include "src/rays/surface_triangles.hpp"
 #include "src/shadow/lights/light.hpp"
 #include "src/shadow/view/frustum.hpp"
@@ -9,6 +9,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -94,6 +95,14 @@ class Oracle {
     Answer at(double x, double y) const { return checkedAt(x, y).answer; }
     Checked checkedAt(double x, double y) const;
 
+    /// The first visible surface on the ray of a picture point, of surfaces at one depth the first
+    /// triangle; and whether rounding certainly did not change it. Null: the ray meets none.
+    struct First {
+        std::optional<Hit> hit;
+        bool certain = true;
+    };
+    First firstAt(double x, double y) const;
+
     /// All visible surfaces on the ray of a picture point, as if none hid another.
     std::vector<Hit> surfacesAt(double x, double y) const;
 
@@ -113,10 +122,16 @@ class Oracle {
     bool isOpen(std::span<const std::uint32_t> own, const glm::dvec3& direction) const;
 
     const Question& question() const { return question_; }
-    const std::vector<SurfaceTriangle>& triangles() const { return triangles_; }
+    const std::vector<SurfaceTriangle>& triangles() const { return surfaces_->triangles; }
+    /// The triangles, for other rays.
+    const std::shared_ptr<const rays::SurfaceSet>& surfaces() const { return surfaces_; }
     bool isCutOut(const SurfaceTriangle& triangle, double u, double v) const;
     /// Whether light passes through the triangle at these coordinates.
     bool isHole(const SurfaceTriangle& triangle, double u, double v) const;
+
+    /// The same where the line from `origin` meets the triangle.
+    bool isHoleAt(std::uint32_t triangle, const glm::dvec3& origin,
+                  const glm::dvec3& direction) const;
 
     /// Whether the texture filter may decide if the triangle is cut out at a picture point, at a
     /// depth of at most `depth`.
@@ -141,8 +156,12 @@ class Oracle {
     const Cone* coneOf(std::size_t light) const;
 
   private:
-    void visitSurfaces(const PixelRay& ray,
-                       const std::function<void(const Hit&, bool certain)>& visit) const;
+    /// A visible triangle that a line of sight may meet: depth is infinite if it doesn't.
+    struct Sighting {
+        Hit hit;
+        bool certain; ///< whether it is met, certainly
+    };
+    std::optional<Sighting> sightingOf(std::uint32_t triangle, const PixelRay& ray) const;
     Checked checkedOn(const Hit& hit, double x, double y) const;
     bool isBlocked(std::uint32_t own, const glm::dvec3& point, double pointError, std::size_t light,
                    bool& certain) const;
@@ -155,8 +174,7 @@ class Oracle {
     glm::dvec3 position_; ///< of the camera
     glm::dvec4 eye_;
     AlphaLookup alpha_;
-    std::vector<SurfaceTriangle> triangles_;
-    rays::RayTree tree_;
+    std::shared_ptr<const rays::SurfaceSet> surfaces_;
     std::vector<std::vector<glm::dvec4>> lightInBatch_; ///< by light and batch
     std::vector<std::vector<std::uint32_t>> touched_;   ///< by light, ascending
 };

@@ -23,7 +23,8 @@ inline constexpr double leastCosine = 0.01;
 double footprintArea(const Question& question, const SurfaceTriangle& triangle, const PixelRay& ray,
                      double depth);
 
-/// The surfaces of all pixels, rows top to bottom, on all cores. `progress` receives the
+/// The surfaces of all pixels, rows top to bottom, on all cores; exact, as by surfaceExactly(), but
+/// for cutouts. `progress` receives the
 /// share done, from one thread.
 std::vector<PixelSurface> pixelSurfaces(const Oracle& oracle,
                                         const std::function<void(double)>& progress);

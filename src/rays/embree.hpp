@@ -33,10 +33,22 @@ inline void occluded(RTCScene scene, Context& context, RTCRay& ray) {
     rtcOccluded1(scene, &ray, &arguments);
 }
 
-/// The same for eight coherent rays, those with valid[i] = -1.
+/// Finds where the ray ends first: near boxes are visited first.
+inline void intersect(RTCScene scene, Context& context, RTCRayHit& ray) {
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.context = &context;
+    rtcIntersect1(scene, &ray, &arguments);
+}
+
+/// As the first, for coherent rays, those with valid[i] = -1.
 inline void occluded(RTCScene scene, Context& context, const int* valid, RTCRay8& rays) {
     RTCOccludedArguments arguments = argumentsOf(context, true);
     rtcOccluded8(valid, scene, &rays, &arguments);
+}
+inline void occluded(RTCScene scene, Context& context, const int* valid, RTCRay16& rays) {
+    RTCOccludedArguments arguments = argumentsOf(context, true);
+    rtcOccluded16(valid, scene, &rays, &arguments);
 }
 
 #else
@@ -53,10 +65,20 @@ inline void occluded(RTCScene scene, Context& context, RTCRay& ray) {
     rtcOccluded1(scene, &context, &ray);
 }
 
-/// The same for eight coherent rays, those with valid[i] = -1.
+/// Finds where the ray ends first: near boxes are visited first.
+inline void intersect(RTCScene scene, Context& context, RTCRayHit& ray) {
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+    rtcIntersect1(scene, &context, &ray);
+}
+
+/// As the first, for coherent rays, those with valid[i] = -1.
 inline void occluded(RTCScene scene, Context& context, const int* valid, RTCRay8& rays) {
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     rtcOccluded8(valid, scene, &context, &rays);
+}
+inline void occluded(RTCScene scene, Context& context, const int* valid, RTCRay16& rays) {
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcOccluded16(valid, scene, &context, &rays);
 }
 
 #endif

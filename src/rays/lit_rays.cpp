@@ -63,12 +63,16 @@ class SunDirections {
 } // namespace
 
 LitRays::LitRays(const Scene& scene, std::vector<SurfaceTriangle> triangles, IsHole isHole)
-    : scene_(&scene), casters_(scene, std::move(triangles), std::move(isHole)) {}
+    : LitRays(scene, std::make_shared<const SurfaceSet>(std::move(triangles)), std::move(isHole)) {}
+
+LitRays::LitRays(const Scene& scene, std::shared_ptr<const SurfaceSet> surfaces, IsHole isHole)
+    : scene_(&scene), surfaces_(std::move(surfaces)),
+      holes_(scene, surfaces_->triangles, std::move(isHole)) {}
 
 LitBits LitRays::lit(std::span<const SurfacePoint> points, std::span<const glm::dvec3> directions,
                      Threads threads, const std::function<void(double)>& progress) const {
     LitBits bits(points.size(), directions.size());
-    const UsedBatches batches(*scene_, casters_.triangles, points);
+    const UsedBatches batches(*scene_, surfaces_->triangles, points);
     const std::size_t perPart = packetsAtOnce * packetSize;
     const std::size_t parts = (points.size() + perPart - 1) / perPart;
     const std::thread::id caller = std::this_thread::get_id();
@@ -81,7 +85,7 @@ LitBits LitRays::lit(std::span<const SurfacePoint> points, std::span<const glm::
             const std::size_t end = std::min(points.size(), (part + 1) * perPart);
             for (std::size_t at = part * perPart; at < end; at += packetSize) {
                 const std::size_t count = std::min(packetSize, end - at);
-                SunPacket packet(casters_, points.subspan(at, count), batches.slots);
+                SunPacket packet(*surfaces_, holes_, points.subspan(at, count), batches.slots);
                 for (std::size_t d = 0; d < block.suns.size(); ++d) {
                     const Lanes lit = packet.lit(block.suns[d]);
                     for (std::size_t i = 0; i < count; ++i)

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "preprocess/base/parallel.hpp"
-#include "src/rays/casters.hpp"
+#include "src/rays/holes.hpp"
 #include "src/rays/lit_bits.hpp"
+#include "src/rays/surface_set.hpp"
 #include "src/rays/surface_triangles.hpp"
 
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -29,6 +31,8 @@ class LitRays {
     /// from surfaceTriangles(). Those with `casts` block light. `isHole`: null: casters have no
     /// holes.
     LitRays(const Scene& scene, std::vector<SurfaceTriangle> triangles, IsHole isHole = {});
+    /// The same for a set that others use too.
+    LitRays(const Scene& scene, std::shared_ptr<const SurfaceSet> surfaces, IsHole isHole = {});
 
     /// Whether a directional light in each of `directions` lights each of `points`, on all threads.
     /// A direction points towards the light, in world axes, and has any length but 0. A point is
@@ -38,18 +42,19 @@ class LitRays {
     /// - if the light grazes the triangle (docs/method.md, C47);
     /// - if a caster other than its triangle, and not in the triangle's plane, blocks the light.
     ///
-    /// Neighbours in `points` share packets of eight rays, and neighbours in `directions` are
+    /// Neighbours in `points` share packets of sixteen rays, and neighbours in `directions` are
     /// likely to be blocked by the same triangle: lists in which neighbours are close together are
     /// quickest. `progress` receives the share done, from the caller's thread alone; it may be
     /// null.
     LitBits lit(std::span<const SurfacePoint> points, std::span<const glm::dvec3> directions,
                 Threads threads = {}, const std::function<void(double)>& progress = {}) const;
 
-    const std::vector<SurfaceTriangle>& triangles() const { return casters_.triangles; }
+    const std::vector<SurfaceTriangle>& triangles() const { return surfaces_->triangles; }
 
   private:
     const Scene* scene_;
-    Casters casters_;
+    std::shared_ptr<const SurfaceSet> surfaces_;
+    Holes holes_;
 };
 
 } // namespace edgeshade::rays

@@ -30,9 +30,28 @@ constexpr double farthestOrigin = 0x1p20;
 struct Search {
     embree::Context context; // first member: Embree passes on its address
     const std::function<bool(std::uint32_t)>* visit = nullptr; ///< null: of a packet
+    const std::function<double(std::uint32_t)>* visitInOrder = nullptr;
+    double scale = 1.0, offset = 0.0; ///< Embree's distance: t * scale - offset
     RayTree::Test test = nullptr;
     void* state = nullptr;
 };
+
+/// Where a ray's search ends, of a length in the tree's coordinates: rounding included.
+float endOf(double length) {
+    return static_cast<float>(std::min(length + padding * (1.0 + std::abs(length)), 1e9));
+}
+
+RTCRay rayOf(const glm::dvec3& start, const glm::dvec3& along) {
+    RTCRay ray{};
+    ray.org_x = static_cast<float>(start.x);
+    ray.org_y = static_cast<float>(start.y);
+    ray.org_z = static_cast<float>(start.z);
+    ray.dir_x = static_cast<float>(along.x);
+    ray.dir_y = static_cast<float>(along.y);
+    ray.dir_z = static_cast<float>(along.z);
+    ray.mask = ~0u;
+    return ray;
+}
 
 } // namespace
 
@@ -56,6 +75,7 @@ struct RayTree::Data {
 
     static void bounds(const RTCBoundsFunctionArguments* arguments);
     static void offer(const RTCOccludedFunctionNArguments* arguments);
+    static void offerInOrder(const RTCIntersectFunctionNArguments* arguments);
 };
 
 RayTree::Data::Data(std::span<const Corners> all, std::vector<std::uint32_t> which)
@@ -85,6 +105,7 @@ RayTree::Data::Data(std::span<const Corners> all, std::vector<std::uint32_t> whi
         rtcSetGeometryUserData(geometry, this);
         rtcSetGeometryBoundsFunction(geometry, bounds, nullptr);
         rtcSetGeometryOccludedFunction(geometry, offer);
+        rtcSetGeometryIntersectFunction(geometry, offerInOrder);
         rtcCommitGeometry(geometry);
         rtcAttachGeometry(scene, geometry);
         rtcReleaseGeometry(geometry);
@@ -125,57 +146,92 @@ void RayTree::Data::offer(const RTCOccludedFunctionNArguments* arguments) {
     }
 }
 
+void RayTree::Data::offerInOrder(const RTCIntersectFunctionNArguments* arguments) {
+    const Data& data = *static_cast<const Data*>(arguments->geometryUserPtr);
+    const auto* search = reinterpret_cast<const Search*>(arguments->context);
+    const double length = (*search->visitInOrder)(data.triangles[arguments->primID]);
+    float& end = RTCRayN_tfar(RTCRayHitN_RayN(arguments->rayhit, arguments->N), arguments->N, 0);
+    end = std::min(end, endOf(length * search->scale - search->offset));
+}
+
 RayTree::RayTree(std::span<const Corners> corners, std::vector<std::uint32_t> which)
     : data_(std::make_unique<Data>(corners, std::move(which))) {}
 RayTree::~RayTree() = default;
 RayTree::RayTree(RayTree&&) noexcept = default;
 RayTree& RayTree::operator=(RayTree&&) noexcept = default;
 
+struct RayTree::Line {
+    glm::dvec3 start;      ///< in the tree's coordinates, within its box or close to it
+    glm::dvec3 along;      ///< of length 1
+    double scale = 0.0;    ///< lengths along it of t = 1
+    double skipped = 0.0;  ///< length between the origin and the start
+    bool isTooFar = false; ///< doubles don't place the start well enough
+};
+
+std::optional<RayTree::Line> RayTree::lineOf(const glm::dvec3& origin,
+                                             const glm::dvec3& direction) const {
+    const double reach = largestComponent(direction);
+    if (reach == 0.0 || data_->triangles.empty()) return std::nullopt;
+    const double size = glm::length(direction / reach);
+    Line line{data_->local(origin), direction / reach / size, reach * size * data_->scale};
+    const double farthest = largestComponent(line.start);
+    line.isTooFar = farthest > farthestOrigin;
+    if (farthest <= largestOrigin || line.isTooFar) return line;
+    // A start far away would lose digits: it is moved to where the line comes near the box.
+    double from = 0.0, to = std::numeric_limits<double>::infinity();
+    const double grown = 1.0 + padding + 1e-12 * farthest;
+    for (glm::length_t i = 0; i < 3; ++i) {
+        if (line.along[i] == 0.0) {
+            if (std::abs(line.start[i]) > grown) return std::nullopt;
+            continue;
+        }
+        const double a = (-grown - line.start[i]) / line.along[i],
+                     b = (grown - line.start[i]) / line.along[i];
+        from = std::max(from, std::min(a, b));
+        to = std::min(to, std::max(a, b));
+    }
+    if (from > to * (1.0 + 1e-12)) return std::nullopt;
+    line.skipped = from * (1.0 - 1e-12);
+    line.start += line.skipped * line.along;
+    return line;
+}
+
 void RayTree::visit(const glm::dvec3& origin, const glm::dvec3& direction, double length,
                     const std::function<bool(std::uint32_t)>& visit) const {
-    const double reach = largestComponent(direction);
-    if (reach == 0.0 || data_->triangles.empty()) return;
-    const double size = glm::length(direction / reach);
-    const glm::dvec3 along = direction / reach / size;
-    glm::dvec3 start = data_->local(origin);
-    double end = length * reach * size * data_->scale; // along a direction of length 1
-    // A start far away would lose digits: it is moved to where the ray comes near the box. Where
-    // that would lose digits too, all triangles are candidates.
-    if (largestComponent(start) > farthestOrigin) {
+    const std::optional<Line> line = lineOf(origin, direction);
+    if (!line) return;
+    if (line->isTooFar) {
         for (const std::uint32_t triangle : data_->triangles)
             if (visit(triangle)) return;
         return;
     }
-    if (largestComponent(start) > largestOrigin) {
-        double from = 0.0, to = end;
-        const double grown = 1.0 + padding + 1e-12 * largestComponent(start);
-        for (glm::length_t i = 0; i < 3; ++i) {
-            if (along[i] == 0.0) {
-                if (std::abs(start[i]) > grown) return;
-                continue;
-            }
-            const double a = (-grown - start[i]) / along[i], b = (grown - start[i]) / along[i];
-            from = std::max(from, std::min(a, b));
-            to = std::min(to, std::max(a, b));
-        }
-        if (from > to * (1.0 + 1e-12)) return;
-        from *= 1.0 - 1e-12;
-        start += from * along;
-        end -= from;
-    }
     Search search;
     embree::init(search.context);
     search.visit = &visit;
-    RTCRay ray{};
-    ray.org_x = static_cast<float>(start.x);
-    ray.org_y = static_cast<float>(start.y);
-    ray.org_z = static_cast<float>(start.z);
-    ray.dir_x = static_cast<float>(along.x);
-    ray.dir_y = static_cast<float>(along.y);
-    ray.dir_z = static_cast<float>(along.z);
-    ray.tfar = static_cast<float>(std::min(end * (1.0 + padding) + padding, 1e9));
-    ray.mask = ~0u;
+    RTCRay ray = rayOf(line->start, line->along);
+    ray.tfar = endOf(length * line->scale - line->skipped);
     embree::occluded(data_->scene, search.context, ray);
+}
+
+void RayTree::visitInOrder(const glm::dvec3& origin, const glm::dvec3& direction,
+                           const std::function<double(std::uint32_t)>& visit) const {
+    const std::optional<Line> line = lineOf(origin, direction);
+    if (!line) return;
+    if (line->isTooFar) {
+        for (const std::uint32_t triangle : data_->triangles)
+            visit(triangle);
+        return;
+    }
+    Search search;
+    embree::init(search.context);
+    search.visitInOrder = &visit;
+    search.scale = line->scale;
+    search.offset = line->skipped;
+    RTCRayHit ray{};
+    ray.ray = rayOf(line->start, line->along);
+    ray.ray.tfar = endOf(std::numeric_limits<double>::infinity());
+    ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    embree::intersect(data_->scene, search.context, ray);
 }
 
 RayTree::Origins RayTree::originsOf(std::span<const glm::dvec3> places) const {
@@ -199,8 +255,8 @@ void RayTree::visitPacket(const Origins& origins, const glm::dvec3& direction, L
     embree::init(search.context);
     search.test = test;
     search.state = state;
-    alignas(32) int valid[packetSize];
-    RTCRay8 packet;
+    alignas(64) int valid[packetSize];
+    RTCRay16 packet;
     for (std::size_t i = 0; i < packetSize; ++i) {
         valid[i] = (rays >> i & 1) != 0 ? -1 : 0;
         packet.org_x[i] = origins.x[i];

@@ -6,15 +6,17 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
+#include <vector>
 
 namespace edgeshade::rays {
 
 /// Rays of one packet.
-inline constexpr std::size_t packetSize = 8;
+inline constexpr std::size_t packetSize = 16;
 
 /// A set of a packet's rays, a bit each.
-using Lanes = std::uint8_t;
+using Lanes = std::uint16_t;
 
 /// Embree's tree of boxes around triangles. It finds every triangle that a ray meets, taken as the
 /// doubles that both are, and some that it misses (docs/method.md, C56). Thread-safe once built.
@@ -32,9 +34,14 @@ class RayTree {
     void visit(const glm::dvec3& origin, const glm::dvec3& direction, double length,
                const std::function<bool(std::uint32_t)>& visit) const;
 
+    /// Calls visit(triangle) for all triangles that origin + t * direction may meet at t from 0 to
+    /// the least value that visit() has returned so far, near ones first, more or less.
+    void visitInOrder(const glm::dvec3& origin, const glm::dvec3& direction,
+                      const std::function<double(std::uint32_t)>& visit) const;
+
     /// Where rays start, in the tree's own coordinates.
     struct Origins {
-        alignas(32) float x[packetSize], y[packetSize], z[packetSize];
+        alignas(64) float x[packetSize], y[packetSize], z[packetSize];
         bool inside =
             true; ///< all are within the tree's box or close to it; else they need visit()
     };
@@ -51,6 +58,11 @@ class RayTree {
 
   private:
     struct Data;
+    struct Line;
+
+    /// Null: the line meets no triangle.
+    std::optional<Line> lineOf(const glm::dvec3& origin, const glm::dvec3& direction) const;
+
     std::unique_ptr<Data> data_;
 };
 

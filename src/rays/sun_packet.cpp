@@ -40,17 +40,51 @@ int sideOf(const Corners& triangle, const glm::dvec3& normal, double error,
     return sideExactly(triangle, direction);
 }
 
-/// One edge's test: where x * n.x + y * n.y + z * n.z - offset exceeds `error`, a point is outside.
-struct EdgeTest {
-    glm::dvec3 n;
-    double offset, error;
+/// A half-space's test: a point is certainly outside where x * n.x + y * n.y + z * n.z - offset is
+/// above `error`, and certainly inside where it is below -error.
+struct HalfSpace {
+    double x, y, z, offset, error;
 };
+
+/// Points that are certainly outside of some half-space, and that are certainly inside of all.
+struct Outcome {
+    Lanes outside, inside;
+};
+
+// Compiled for several vector widths; the processor's is taken at run time. The operations are the
+// same.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) &&                             \
+    !defined(__SANITIZE_ADDRESS__)
+__attribute__((target_clones("avx512f", "avx2", "default")))
+#endif
+Outcome
+outcomeOf(const std::array<HalfSpace, 4>& spaces, const double* x, const double* y,
+          const double* z) {
+    alignas(64) double highest[packetSize], lowest[packetSize];
+    for (std::size_t i = 0; i < packetSize; ++i) {
+        double high = -1e300, low = -1e300;
+        for (const HalfSpace& space : spaces) {
+            const double value = space.x * x[i] + space.y * y[i] + space.z * z[i] - space.offset;
+            const double out = value - space.error, in = value + space.error;
+            high = out > high ? out : high;
+            low = in > low ? in : low;
+        }
+        highest[i] = high;
+        lowest[i] = low;
+    }
+    unsigned outside = 0, inside = 0;
+    for (std::size_t i = 0; i < packetSize; ++i) {
+        outside |= (highest[i] > 0.0 ? 1u : 0u) << i;
+        inside |= (lowest[i] < 0.0 ? 1u : 0u) << i;
+    }
+    return {static_cast<Lanes>(outside), static_cast<Lanes>(inside)};
+}
 
 } // namespace
 
-SunPacket::SunPacket(const Casters& casters, std::span<const SurfacePoint> points,
-                     std::span<const std::uint32_t> slots)
-    : casters_(casters), points_(points) {
+SunPacket::SunPacket(const SurfaceSet& surfaces, const Holes& holes,
+                     std::span<const SurfacePoint> points, std::span<const std::uint32_t> slots)
+    : set_(surfaces), holes_(holes), points_(points) {
     for (std::size_t i = 0; i < points.size(); ++i) {
         double error = 0.0;
         addSurface(i, slots);
@@ -64,7 +98,7 @@ SunPacket::SunPacket(const Casters& casters, std::span<const SurfacePoint> point
         z_[i] = offset.z;
         reach_ = std::max(reach_, largestComponent(offset));
     }
-    origins_ = casters.tree.originsOf(std::span(places_).first(points.size()));
+    origins_ = surfaces.tree.originsOf(std::span(places_).first(points.size()));
 }
 
 void SunPacket::addSurface(std::size_t point, std::span<const std::uint32_t> slots) {
@@ -75,10 +109,10 @@ void SunPacket::addSurface(std::size_t point, std::span<const std::uint32_t> slo
     while (i < surfaceCount_ && surfaces_[i].triangle != at.triangle)
         ++i;
     Surface& surface = surfaces_[i];
-    const Corners& corners = casters_.corners[at.triangle];
+    const Corners& corners = set_.corners[at.triangle];
     if (i == surfaceCount_) {
         ++surfaceCount_;
-        const SurfaceTriangle& triangle = casters_.triangles[at.triangle];
+        const SurfaceTriangle& triangle = set_.triangles[at.triangle];
         const glm::dvec3 ab = corners[1] - corners[0], ac = corners[2] - corners[0];
         surface.triangle = at.triangle;
         surface.normal = glm::cross(ab, ac);
@@ -101,7 +135,7 @@ void SunPacket::place(std::size_t point, glm::dvec3& place, double& error) const
     place = at.origin;
     error = 0.0;
     if (at.triangle == SurfacePoint::none || at.direction == glm::dvec3(0.0)) return;
-    const Corners& corners = casters_.corners[at.triangle];
+    const Corners& corners = set_.corners[at.triangle];
     const auto surface = std::find_if(surfaces_.begin(), surfaces_.end(), [&](const Surface& of) {
         return of.triangle == at.triangle;
     });
@@ -140,8 +174,8 @@ Lanes SunPacket::facing(const SunDirection& sun) const {
             facing |= surface.points;
             continue;
         }
-        const int side = sideOf(casters_.corners[surface.triangle], surface.normal,
-                                surface.normalError, sun.scaled);
+        const int side =
+            sideOf(set_.corners[surface.triangle], surface.normal, surface.normalError, sun.scaled);
         const auto turnedAway = static_cast<Lanes>(side > 0   ? surface.fromBack
                                                    : side < 0 ? surface.fromFront
                                                               : 0);
@@ -158,7 +192,7 @@ Lanes SunPacket::lit(const SunDirection& sun) {
     if (blocker_ != SurfacePoint::none) test(blocker_);
     if (lit_ == 0) return 0;
     if (origins_.inside) {
-        casters_.tree.visitPacket(
+        set_.tree.visitPacket(
             origins_, sun.scaled, lit_,
             [](void* packet, std::uint32_t triangle) {
                 auto* self = static_cast<SunPacket*>(packet);
@@ -170,21 +204,22 @@ Lanes SunPacket::lit(const SunDirection& sun) {
     }
     for (std::size_t i = 0; i < points_.size(); ++i)
         if ((lit_ >> i & 1) != 0)
-            casters_.tree.visit(places_[i], sun.scaled, std::numeric_limits<double>::infinity(),
-                                [&](std::uint32_t triangle) {
-                                    test(triangle);
-                                    return (lit_ >> i & 1) == 0;
-                                });
+            set_.tree.visit(places_[i], sun.scaled, std::numeric_limits<double>::infinity(),
+                            [&](std::uint32_t triangle) {
+                                test(triangle);
+                                return (lit_ >> i & 1) == 0;
+                            });
     return lit_;
 }
 
 Lanes SunPacket::test(std::uint32_t triangle) {
+    if (!set_.triangles[triangle].casts) return 0;
     Lanes open = lit_;
     for (std::size_t i = 0; i < surfaceCount_; ++i)
         if (surfaces_[i].triangle == triangle) open &= static_cast<Lanes>(~surfaces_[i].points);
     if (open == 0) return 0;
 
-    const Corners& corners = casters_.corners[triangle];
+    const Corners& corners = set_.corners[triangle];
     const glm::dvec3& sun = sun_->scaled;
     const glm::dvec3 ab = corners[1] - corners[0], bc = corners[2] - corners[1],
                      ca = corners[0] - corners[2];
@@ -201,37 +236,15 @@ Lanes SunPacket::test(std::uint32_t triangle) {
     const double size =
         std::max({largestComponent(from[0]), largestComponent(from[1]), largestComponent(from[2])});
     const double placing = 1.01 * error_ + roundings * (size + reach_);
-    const auto edgeTest = [&](const glm::dvec3& edge, std::size_t i) {
-        const glm::dvec3 n = sign * glm::cross(edge, sun);
-        return EdgeTest{n, glm::dot(n, from[i]), sums[i] * sunSum_ * placing + underflow};
+    const auto spaceOf = [&](const glm::dvec3& n, std::size_t corner, double error) {
+        return HalfSpace{n.x, n.y, n.z, glm::dot(n, from[corner]), error * placing + underflow};
     };
-    const EdgeTest e0 = edgeTest(ab, 0), e1 = edgeTest(bc, 1), e2 = edgeTest(ca, 2);
-    const glm::dvec3 up = sign * normal;
-    const double upOffset = glm::dot(up, from[0]);
-    const double upError = sums[0] * sums[2] * placing + underflow;
-
-    // By point: above 0 where the triangle is certainly missed, and certainly met.
-    alignas(64) std::array<double, packetSize> missed, met;
-    for (std::size_t i = 0; i < packetSize; ++i) {
-        const double x = x_[i], y = y_[i], z = z_[i];
-        const double u0 = e0.n.x * x + e0.n.y * y + e0.n.z * z - e0.offset;
-        const double u1 = e1.n.x * x + e1.n.y * y + e1.n.z * z - e1.offset;
-        const double u2 = e2.n.x * x + e2.n.y * y + e2.n.z * z - e2.offset;
-        const double height = upOffset - (up.x * x + up.y * y + up.z * z);
-        const double m0 = u0 - e0.error, m1 = u1 - e1.error, m2 = u2 - e2.error,
-                     m3 = -height - upError;
-        const double n0 = -u0 - e0.error, n1 = -u1 - e1.error, n2 = -u2 - e2.error,
-                     n3 = height - upError;
-        const double m01 = m0 < m1 ? m1 : m0, m23 = m2 < m3 ? m3 : m2;
-        missed[i] = m01 < m23 ? m23 : m01;
-        const double n01 = n0 < n1 ? n0 : n1, n23 = n2 < n3 ? n2 : n3;
-        met[i] = n01 < n23 ? n01 : n23;
-    }
-    Lanes misses = 0, meets = 0;
-    for (std::size_t i = 0; i < packetSize; ++i) {
-        misses |= static_cast<Lanes>((missed[i] > 0.0 ? 1u : 0u) << i);
-        meets |= static_cast<Lanes>((met[i] > 0.0 ? 1u : 0u) << i);
-    }
+    const auto besideEdge = [&](const glm::dvec3& edge, std::size_t i) {
+        return spaceOf(sign * glm::cross(edge, sun), i, sums[i] * sunSum_);
+    };
+    const auto [misses, meets] = outcomeOf({besideEdge(ab, 0), besideEdge(bc, 1), besideEdge(ca, 2),
+                                            spaceOf(sign * normal, 0, sums[0] * sums[2])},
+                                           x_.data(), y_.data(), z_.data());
     Lanes blocked = 0;
     if (sided) {
         blocked = open & meets;
@@ -242,8 +255,7 @@ Lanes SunPacket::test(std::uint32_t triangle) {
         blocked = settled(triangle, open);
     }
     if (blocked == 0) return 0;
-    if (!casters_.mayHaveHoles.empty() && casters_.mayHaveHoles[triangle] != 0)
-        blocked = withoutHoles(triangle, blocked);
+    blocked = withoutHoles(triangle, blocked);
     lit_ &= static_cast<Lanes>(~blocked);
     if (blocked != 0) blocker_ = triangle;
     return blocked;
@@ -254,8 +266,8 @@ Lanes SunPacket::settled(std::uint32_t triangle, Lanes doubtful) const {
     for (std::size_t i = 0; i < points_.size(); ++i) {
         if ((doubtful >> i & 1) == 0) continue;
         const std::uint32_t own = points_[i].triangle;
-        if (blocksExactly(points_[i], own == SurfacePoint::none ? nullptr : &casters_.corners[own],
-                          casters_.corners[triangle], glm::dvec4(sun_->exact, 0.0)))
+        if (blocksExactly(points_[i], own == SurfacePoint::none ? nullptr : &set_.corners[own],
+                          set_.corners[triangle], glm::dvec4(sun_->exact, 0.0)))
             blocked |= static_cast<Lanes>(1u << i);
     }
     return blocked;
@@ -263,7 +275,8 @@ Lanes SunPacket::settled(std::uint32_t triangle, Lanes doubtful) const {
 
 Lanes SunPacket::withoutHoles(std::uint32_t triangle, Lanes blocked) const {
     for (std::size_t i = 0; i < points_.size(); ++i)
-        if ((blocked >> i & 1) != 0 && casters_.isHoleAt(triangle, places_[i], sun_->scaled))
+        if ((blocked >> i & 1) != 0 &&
+            holes_.at(set_.triangles, triangle, places_[i], sun_->scaled))
             blocked &= static_cast<Lanes>(~(1u << i));
     return blocked;
 }

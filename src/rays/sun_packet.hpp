@@ -1,6 +1,7 @@
 #pragma once
 
-#include "src/rays/casters.hpp"
+#include "src/rays/holes.hpp"
+#include "src/rays/surface_set.hpp"
 
 #include <span>
 
@@ -13,12 +14,12 @@ struct SunDirection {
     std::span<const glm::dvec3> inBatch; ///< by slot of a batch, see SunPacket
 };
 
-/// Up to eight points, and the search for what blocks their light from one direction after another.
-/// Allocates nothing, except where integers decide.
+/// Up to sixteen points, and the search for what blocks their light from one direction after
+/// another. Allocates nothing, except where integers decide.
 class SunPacket {
   public:
     /// `points`: 1 to packetSize. `slots`: by batch, where SunDirection::inBatch has it.
-    SunPacket(const Casters& casters, std::span<const SurfacePoint> points,
+    SunPacket(const SurfaceSet& surfaces, const Holes& holes, std::span<const SurfacePoint> points,
               std::span<const std::uint32_t> slots);
 
     /// The points that the sun lights from that direction.
@@ -34,7 +35,7 @@ class SunPacket {
         glm::dvec3 normalInBatch; ///< of length 1; 0: the triangle has no area there
         std::uint32_t slot;       ///< of its batch
         bool casts;
-        /// Of the points, those that are looked at from the side of `normal`, and from the other.
+        /// The points that are looked at from the side of `normal`, and from the other side.
         Lanes fromFront, fromBack;
     };
 
@@ -44,11 +45,12 @@ class SunPacket {
     /// Tests whether a triangle blocks the light of points that are still lit; returns those that
     /// it blocks.
     Lanes test(std::uint32_t triangle);
-    /// Those of the points that a triangle blocks, by integers.
+    /// Points that a triangle blocks, by integers.
     Lanes settled(std::uint32_t triangle, Lanes doubtful) const;
     Lanes withoutHoles(std::uint32_t triangle, Lanes blocked) const;
 
-    const Casters& casters_;
+    const SurfaceSet& set_;
+    const Holes& holes_;
     std::span<const SurfacePoint> points_;
     std::array<glm::dvec3, packetSize> places_; ///< rounded
     std::array<Surface, packetSize> surfaces_{};

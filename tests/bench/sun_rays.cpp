@@ -10,12 +10,13 @@
 #include "src/gl/headless_context.hpp"
 #include "src/lab/pixel_surfaces.hpp"
 #include "src/lab/texture_alpha.hpp"
+#include "src/rays/embree.hpp"
+#include "src/rays/lit_rays.hpp"
 #include "src/render/accumulation/direction_counts.hpp"
 
 #include "preprocess/base/parallel.hpp"
 #include "preprocess/base/stopwatch.hpp"
 
-#include <embree3/rtcore.h>
 #include <fstream>
 #include <glm/gtc/type_ptr.hpp>
 #include <iostream>
@@ -35,6 +36,7 @@ constexpr float clear = 1e-5f;
 struct Place {
     glm::vec3 point;  ///< relative to the camera
     glm::vec3 normal; ///< on the visible side
+    rays::SurfacePoint exact;
 };
 
 Frustum frustumOf(const Json& camera, double aspect) {
@@ -65,7 +67,9 @@ std::vector<Place> placesOf(const lab::Oracle& oracle) {
         const double depth =
             glm::dot(normal, triangle.a - ray.origin) / glm::dot(normal, ray.direction);
         const double side = oracle.eyeSide(triangle) < 0.0 ? -1.0 : 1.0;
-        places.push_back({glm::vec3(ray.at(depth)), glm::vec3(side * glm::normalize(normal))});
+        places.push_back({glm::vec3(ray.at(depth)),
+                          glm::vec3(side * glm::normalize(normal)),
+                          {ray.origin, ray.direction, surfaces[i].triangle}});
     }
     return places;
 }
@@ -104,28 +108,27 @@ class Tree {
     /// Number of up to eight places that a light from a direction of length 1 reaches.
     std::size_t lit(std::span<const Place> places, const glm::vec3& direction, float offset) const {
         alignas(32) int valid[packet] = {};
-        RTCRay8 rays;
+        RTCRay8 traced;
         for (std::size_t i = 0; i < places.size(); ++i) {
             const glm::vec3 from = places[i].point + offset * places[i].normal;
             valid[i] = -1;
-            rays.org_x[i] = from.x;
-            rays.org_y[i] = from.y;
-            rays.org_z[i] = from.z;
-            rays.dir_x[i] = direction.x;
-            rays.dir_y[i] = direction.y;
-            rays.dir_z[i] = direction.z;
-            rays.tnear[i] = rays.time[i] = 0.0f;
-            rays.tfar[i] = std::numeric_limits<float>::infinity();
-            rays.mask[i] = ~0u;
-            rays.flags[i] = 0;
+            traced.org_x[i] = from.x;
+            traced.org_y[i] = from.y;
+            traced.org_z[i] = from.z;
+            traced.dir_x[i] = direction.x;
+            traced.dir_y[i] = direction.y;
+            traced.dir_z[i] = direction.z;
+            traced.tnear[i] = traced.time[i] = 0.0f;
+            traced.tfar[i] = std::numeric_limits<float>::infinity();
+            traced.mask[i] = ~0u;
+            traced.flags[i] = 0;
         }
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-        rtcOccluded8(valid, scene_, &context, &rays);
+        rays::embree::Context context;
+        rays::embree::init(context);
+        rays::embree::occluded(scene_, context, valid, traced);
         std::size_t count = 0;
         for (std::size_t i = 0; i < places.size(); ++i)
-            count += rays.tfar[i] > 0.0f && glm::dot(places[i].normal, direction) > 0.0f ? 1 : 0;
+            count += traced.tfar[i] > 0.0f && glm::dot(places[i].normal, direction) > 0.0f ? 1 : 0;
         return count;
     }
 
@@ -181,6 +184,9 @@ int main(int count, char** words) {
     question.height = request.height;
     const lab::Oracle oracle(question, lab::textureAlpha(loaded));
     const std::vector<Place> places = placesOf(oracle);
+    std::vector<rays::SurfacePoint> points;
+    for (const Place& place : places)
+        points.push_back(place.exact);
     const auto offset = clear * static_cast<float>(glm::length(bounds.high - bounds.low));
 
     const gl::HeadlessContext context({request.width, request.height, 0, gl::Limits::device});
@@ -199,6 +205,14 @@ int main(int count, char** words) {
         told["tree_s"].push_back(watch.lap());
         told["lit_by_rays"] = litOf(tree, places, directions, offset);
         told["rays_s"].push_back(watch.lap());
+        const rays::LitRays certified(loaded.scene, oracle.triangles());
+        told["certified_tree_s"].push_back(watch.lap());
+        const rays::LitBits bits = certified.lit(points, directions);
+        told["certified_rays_s"].push_back(watch.lap());
+        std::size_t lit = 0;
+        for (std::size_t i = 0; i < points.size(); ++i)
+            lit += bits.count(i);
+        told["lit_by_certified_rays"] = lit;
         told["lit_by_count"] =
             std::accumulate(counts.lit.begin(), counts.lit.end(), std::size_t{0});
     }

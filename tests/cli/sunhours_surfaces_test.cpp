@@ -334,6 +334,7 @@ TEST_F(SunHoursOfSurfaces, BadUsageIsOneSentence) {
         {{"--at", "0,0,0"}, "--at"},
         {{"--counts", "c.png"}, "--counts"},
         {{"--part", "1/2"}, "--part"},
+        {{"--by", "masks"}, "--by masks"},
         {{"--section", "1,0,0,0"}, "--section"},
     };
     const std::string scene = folder_.write("scene.glb", blocksOnALawn({}));

@@ -1,4 +1,4 @@
-// What the definition of lit means for points on surfaces, by hand.
+// Points on surfaces whose light is known without tracing.
 #include "src/rays/lit_rays.hpp"
 #include "tests/support/scene_builder.hpp"
 
