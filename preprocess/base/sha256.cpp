@@ -65,7 +65,7 @@ std::string sha256(std::span<const std::uint8_t> bytes) {
     // The rest, a bit of 1, zeros, and the length in bits, in one or two blocks.
     std::array<std::uint8_t, 2 * blockSize> end{};
     const std::span<const std::uint8_t> rest = bytes.subspan(whole);
-    std::ranges::copy(rest, end.begin());
+    std::copy(rest.begin(), rest.end(), end.begin());
     end[rest.size()] = 0x80;
     const std::size_t size = rest.size() + 9 <= blockSize ? blockSize : 2 * blockSize;
     const std::uint64_t bits = std::uint64_t{bytes.size()} * 8;

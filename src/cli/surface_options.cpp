@@ -5,12 +5,15 @@
 namespace edgeshade::cli {
 namespace {
 
-/// Options of pictures, which surfaces have no use for.
-constexpr const char* ofPictures[] = {
-    "--size",   "--camera",  "--camera-from", "--camera-to",    "--camera-matrix",
-    "--fov",    "--ortho",   "--near",        "--plan",         "--cull",
-    "--ground", "--section", "--section-box", "--section-fill", "--section-shadows",
-    "--counts", "--part",    "--at",          "--gl-limits"};
+/// Options of pictures and of shadow volumes, which surfaces have no use for.
+constexpr const char* ofPictures[] = {"--weld-tolerance", "--flat-tolerance", "--caster-error",
+                                      "--size",           "--camera",         "--camera-from",
+                                      "--camera-to",      "--camera-matrix",  "--fov",
+                                      "--ortho",          "--near",           "--plan",
+                                      "--cull",           "--ground",         "--section",
+                                      "--section-box",    "--section-fill",   "--section-shadows",
+                                      "--counts",         "--part",           "--at",
+                                      "--gl-limits"};
 
 } // namespace
 

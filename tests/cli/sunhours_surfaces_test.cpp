@@ -270,6 +270,32 @@ TEST_F(SunHoursOfSurfaces, SeveralFilesComeFromOneRun) {
     }
 }
 
+TEST_F(SunHoursOfSurfaces, LightPassesThroughCutouts) {
+    // A roof of a MASK material over the lawn's middle, which its alpha leaves or cuts out.
+    const auto hoursBeneath = [&](double alpha, const Words& more) {
+        GltfBuilder gltf;
+        const int mask = gltf.addMaterial(
+            {{"alphaMode", "MASK"},
+             {"pbrMetallicRoughness", {{"baseColorFactor", {1.0, 1.0, 1.0, alpha}}}}});
+        gltf.addNode({{"mesh", gltf.addShape(box(glm::vec3(8.0f, 0.5f, 8.0f)))},
+                      {"name", "lawn"},
+                      {"translation", {0, -0.5, 0}}});
+        gltf.addNode({{"mesh", gltf.addShape(box(glm::vec3(6, 0.1f, 6)), {{"material", mask}})},
+                      {"translation", {0, 1, 0}}});
+        EXPECT_EQ(
+            run(gltf.glb(), Words{"--grid", "16", "--step", "60", "--nodes", "lawn"} + more).status,
+            0);
+        const CsvTable cells = table();
+        const auto top = std::ranges::find(cells.at("ny"), "1") - cells.at("ny").begin();
+        return std::stod(cells.at("hours")[static_cast<std::size_t>(top)]);
+    };
+    const double all = hoursBeneath(1.0, {});
+    EXPECT_GT(all, 10.0);
+    EXPECT_EQ(hoursBeneath(0.1, {"--cast-cutouts"}), all);
+    EXPECT_LT(hoursBeneath(1.0, {"--cast-cutouts"}), 0.5 * all);
+    EXPECT_LT(hoursBeneath(0.1, {"--cast-masked"}), 0.5 * all);
+}
+
 TEST_F(SunHoursOfSurfaces, AThousandCellsAtRandomAreThoseOfTypedPoints) {
     std::mt19937 random(11);
     std::uniform_real_distribution<double> place(-7.0, 7.0), size(0.1, 1.5);
@@ -335,6 +361,7 @@ TEST_F(SunHoursOfSurfaces, BadUsageIsOneSentence) {
         {{"--counts", "c.png"}, "--counts"},
         {{"--part", "1/2"}, "--part"},
         {{"--by", "masks"}, "--by masks"},
+        {{"--caster-error", "0.1"}, "--caster-error"},
         {{"--section", "1,0,0,0"}, "--section"},
     };
     const std::string scene = folder_.write("scene.glb", blocksOnALawn({}));
