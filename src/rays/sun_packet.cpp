@@ -251,7 +251,7 @@ Lanes SunPacket::test(std::uint32_t triangle) {
         const auto doubtful = static_cast<Lanes>(open & ~meets & ~misses);
         if (doubtful != 0) blocked |= settled(triangle, doubtful);
     } else if (sideExactly(corners, sun_->exact) != 0) {
-        // Nearly edge-on: a point on both sides of edges misses the triangle, whatever its sign.
+        // Nearly edge-on: there is no certain sign to compare with.
         blocked = settled(triangle, open);
     }
     if (blocked == 0) return 0;
