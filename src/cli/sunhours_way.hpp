@@ -12,7 +12,8 @@ struct SunHoursWay {
     std::string why; ///< for reports
 };
 
-/// The way that the options ask for. `automatic` asks the GL whether the processor draws. Throws
+/// The way that the options ask for. `automatic` creates a GL context to learn
+/// whether the processor draws. Throws
 /// Error(usage) for options that have no effect by rays, and for cutouts by masks.
 SunHoursWay wayOf(const SunHoursOptions& options);
 

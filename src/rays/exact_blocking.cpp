@@ -78,12 +78,6 @@ struct ExactTriangle {
         : a(grid.of(corners[0])), b(grid.of(corners[1])), c(grid.of(corners[2])) {}
 
     Vector normal() const { return cross(b - a, c - a); }
-    /// Whether it lies in the other's plane; a triangle without area has none.
-    bool liesIn(const ExactTriangle& other) const {
-        const Vector across = other.normal();
-        return dot(across, across) != 0 && dot(across, a - other.a) == 0 &&
-               dot(across, b - other.a) == 0 && dot(across, c - other.a) == 0;
-    }
 };
 
 /// A point as multiples of a grid, divided by w > 0.
@@ -135,10 +129,8 @@ bool blocksExactly(const SurfacePoint& point, const Corners* own, const Corners&
     const auto isOutside = [&](const Vector& start, const Vector& end) {
         return dot(cross(end - start, towards), from.xyz - from.w * start).sign() * facing > 0;
     };
-    if (isOutside(triangle.a, triangle.b) || isOutside(triangle.b, triangle.c) ||
-        isOutside(triangle.c, triangle.a))
-        return false;
-    return !surface || !triangle.liesIn(*surface);
+    return !isOutside(triangle.a, triangle.b) && !isOutside(triangle.b, triangle.c) &&
+           !isOutside(triangle.c, triangle.a);
 }
 
 int sideExactly(const Corners& triangle, const glm::dvec3& direction) {

@@ -8,9 +8,9 @@ namespace edgeshade::rays {
 /// the doubles that they are, which must be finite (docs/method.md, C30 and C56). Takes some
 /// microseconds, and allocates.
 
-/// Whether a triangle blocks the light of a point: they meet between the two, and the triangle
-/// doesn't lie in the plane of the point's own. `own`: null: the point is on no triangle. `light`:
-/// homogeneous, w = 0 or 1.
+/// Whether a triangle blocks the light of a point: they meet between the two. Triangles in the
+/// plane of the point's own don't, as they meet the light at the point itself. `own`: null: the
+/// point is on no triangle. `light`: homogeneous, w = 0 or 1.
 bool blocksExactly(const SurfacePoint& point, const Corners* own, const Corners& other,
                    const glm::dvec4& light);
 

@@ -40,7 +40,7 @@ class LitRays {
     /// - if the triangle casts and is looked at from one side and lit from the other; a point of no
     ///   triangle, if light comes from where its line of sight goes;
     /// - if the light grazes the triangle (docs/method.md, C47);
-    /// - if a caster other than its triangle, and not in the triangle's plane, blocks the light.
+    /// - if a caster other than its triangle blocks the light; none in the triangle's plane can.
     ///
     /// Neighbours in `points` share packets of sixteen rays, and neighbours in `directions` are
     /// likely to be blocked by the same triangle: lists in which neighbours are close together are

@@ -189,7 +189,11 @@ Lanes SunPacket::lit(const SunDirection& sun) {
     if (lit_ == 0) return 0;
     sun_ = &sun;
     sunSum_ = sumOf(sun.scaled);
-    if (blocker_ != SurfacePoint::none) test(blocker_);
+    // The last direction's blocker is likely to block this one too.
+    tried_ = SurfacePoint::none;
+    const std::uint32_t last = blocker_;
+    if (last != SurfacePoint::none) test(last);
+    tried_ = last;
     if (lit_ == 0) return 0;
     if (origins_.inside) {
         set_.tree.visitPacket(
@@ -213,7 +217,7 @@ Lanes SunPacket::lit(const SunDirection& sun) {
 }
 
 Lanes SunPacket::test(std::uint32_t triangle) {
-    if (!set_.triangles[triangle].casts) return 0;
+    if (triangle == tried_ || !set_.triangles[triangle].casts) return 0;
     Lanes open = lit_;
     for (std::size_t i = 0; i < surfaceCount_; ++i)
         if (surfaces_[i].triangle == triangle) open &= static_cast<Lanes>(~surfaces_[i].points);
@@ -251,7 +255,7 @@ Lanes SunPacket::test(std::uint32_t triangle) {
         const auto doubtful = static_cast<Lanes>(open & ~meets & ~misses);
         if (doubtful != 0) blocked |= settled(triangle, doubtful);
     } else if (sideExactly(corners, sun_->exact) != 0) {
-        // Nearly edge-on: a point on both sides of edges misses the triangle, whatever its sign.
+        // Nearly edge-on: there is no certain sign to compare with.
         blocked = settled(triangle, open);
     }
     if (blocked == 0) return 0;

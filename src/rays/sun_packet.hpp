@@ -67,6 +67,7 @@ class SunPacket {
     double sunSum_ = 0.0;                        ///< of the magnitudes of SunDirection::scaled
     Lanes lit_ = 0;                              ///< points that nothing found so far blocks
     std::uint32_t blocker_ = SurfacePoint::none; ///< the last triangle that blocked
+    std::uint32_t tried_ = SurfacePoint::none;   ///< tested for this direction before the tree
 };
 
 } // namespace edgeshade::rays

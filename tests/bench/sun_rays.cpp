@@ -1,27 +1,30 @@
-// sun_rays SCENE REPORT WIDTH HEIGHT: time for `sunhours` to count its positions, and for Embree to
-// trace them. REPORT comes from `sunhours` for a picture of that size. Prints JSON, in seconds of
-// several turns, one after another:
-// {"upload_s": [..], "count_s": [..], "tree_s": [..], "rays_s": [..], "rays": .., "lit_by_count":
-// .., "lit_by_rays": ..}.
+// sun_rays SCENE REPORT WIDTH HEIGHT: the processor's time for masks to count the positions of
+// `sunhours`, for Embree to trace them, and for src/rays to do so without rounding. REPORT comes
+// from `sunhours` for a picture of that size. Prints JSON, in seconds of all threads together, of
+// several turns, one after another: {"rays": .., "upload_s": [..], "count_s": [..], "tree_s": [..],
+// "rays_s":
+// [..], "certified_tree_s": [..], "certified_rays_s": [..], "lit_by_count": .., "lit_by_rays": ..,
+// "lit_by_certified_rays": ..}.
 //
 // Embree traces one occlusion ray for each visible pixel and sun position, eight pixels at once,
 // flagged as coherent, on all cores; the rays' origins are found beforehand. Its answers are in
-// floats, unlike the oracle's.
+// floats. Certified rays are those of sunhours, in its order of pixels.
 #include "src/gl/headless_context.hpp"
-#include "src/lab/pixel_surfaces.hpp"
+#include "src/lab/sun_counts.hpp"
 #include "src/lab/texture_alpha.hpp"
 #include "src/rays/embree.hpp"
-#include "src/rays/lit_rays.hpp"
+#include "src/rays/surface_set.hpp"
 #include "src/render/accumulation/direction_counts.hpp"
 
 #include "preprocess/base/parallel.hpp"
-#include "preprocess/base/stopwatch.hpp"
 
+#include <ctime>
 #include <fstream>
 #include <glm/gtc/type_ptr.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <utility>
 
 using namespace edgeshade;
 using Json = nlohmann::ordered_json;
@@ -36,7 +39,6 @@ constexpr float clear = 1e-5f;
 struct Place {
     glm::vec3 point;  ///< relative to the camera
     glm::vec3 normal; ///< on the visible side
-    rays::SurfacePoint exact;
 };
 
 Frustum frustumOf(const Json& camera, double aspect) {
@@ -53,9 +55,9 @@ Frustum frustumOf(const Json& camera, double aspect) {
 }
 
 /// The surface point of each pixel that shows one.
-std::vector<Place> placesOf(const lab::Oracle& oracle) {
+std::vector<Place> placesOf(const lab::Oracle& oracle,
+                            const std::vector<lab::PixelSurface>& surfaces) {
     const lab::Question& question = oracle.question();
-    const std::vector<lab::PixelSurface> surfaces = lab::pixelSurfaces(oracle, {});
     std::vector<Place> places;
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
         if (surfaces[i].area == 0.0) continue;
@@ -67,9 +69,7 @@ std::vector<Place> placesOf(const lab::Oracle& oracle) {
         const double depth =
             glm::dot(normal, triangle.a - ray.origin) / glm::dot(normal, ray.direction);
         const double side = oracle.eyeSide(triangle) < 0.0 ? -1.0 : 1.0;
-        places.push_back({glm::vec3(ray.at(depth)),
-                          glm::vec3(side * glm::normalize(normal)),
-                          {ray.origin, ray.direction, surfaces[i].triangle}});
+        places.push_back({glm::vec3(ray.at(depth)), glm::vec3(side * glm::normalize(normal))});
     }
     return places;
 }
@@ -183,36 +183,38 @@ int main(int count, char** words) {
     question.width = request.width;
     question.height = request.height;
     const lab::Oracle oracle(question, lab::textureAlpha(loaded));
-    const std::vector<Place> places = placesOf(oracle);
-    std::vector<rays::SurfacePoint> points;
-    for (const Place& place : places)
-        points.push_back(place.exact);
+    const std::vector<lab::PixelSurface> surfaces = lab::pixelSurfaces(oracle, {});
+    const std::vector<Place> places = placesOf(oracle, surfaces);
     const auto offset = clear * static_cast<float>(glm::length(bounds.high - bounds.low));
 
     const gl::HeadlessContext context({request.width, request.height, 0, gl::Limits::device});
     RenderSettings settings;
     settings.layout = bestLayout(context.capabilities());
     Json told = {{"rays", places.size() * directions.size()}};
+    std::clock_t began = std::clock();
+    const auto lap = [&began] {
+        const std::clock_t now = std::clock();
+        return static_cast<double>(now - std::exchange(began, now)) / CLOCKS_PER_SEC;
+    };
     for (int turn = 0; turn < turns; ++turn) {
-        Stopwatch watch;
+        lap();
         Renderer renderer(settings, context.capabilities());
         GpuScene scene = uploadScene(loaded, settings.records(), context.capabilities());
-        told["upload_s"].push_back(watch.lap());
+        told["upload_s"].push_back(lap());
         const LitCounts counts = countDirections(loaded, request, directions, renderer, scene,
                                                  context.capabilities(), [](double) {});
-        told["count_s"].push_back(watch.lap());
+        told["count_s"].push_back(lap());
         const Tree tree(oracle.triangles());
-        told["tree_s"].push_back(watch.lap());
+        told["tree_s"].push_back(lap());
         told["lit_by_rays"] = litOf(tree, places, directions, offset);
-        told["rays_s"].push_back(watch.lap());
-        const rays::LitRays certified(loaded.scene, oracle.triangles());
-        told["certified_tree_s"].push_back(watch.lap());
-        const rays::LitBits bits = certified.lit(points, directions);
-        told["certified_rays_s"].push_back(watch.lap());
-        std::size_t lit = 0;
-        for (std::size_t i = 0; i < points.size(); ++i)
-            lit += bits.count(i);
-        told["lit_by_certified_rays"] = lit;
+        told["rays_s"].push_back(lap());
+        const rays::SurfaceSet set(oracle.triangles());
+        told["certified_tree_s"].push_back(lap());
+        const std::vector<std::uint16_t> certified =
+            lab::litCounts(oracle, surfaces, directions, [](double) {});
+        told["certified_rays_s"].push_back(lap());
+        told["lit_by_certified_rays"] =
+            std::accumulate(certified.begin(), certified.end(), std::size_t{0});
         told["lit_by_count"] =
             std::accumulate(counts.lit.begin(), counts.lit.end(), std::size_t{0});
     }

@@ -59,13 +59,6 @@ bool meets(const rays::SurfaceTriangle& triangle, const Vector& origin, const Ve
     return v >= 0 && u + v <= 1 && dot(ac, q) / determinant > 0;
 }
 
-bool isCoplanar(const rays::SurfaceTriangle& surface, const rays::SurfaceTriangle& other) {
-    const Vector normal = exactNormal(surface), a = vectorOf(surface.a);
-    return dot(normal, normal) != 0 && dot(normal, minus(vectorOf(other.a), a)) == 0 &&
-           dot(normal, minus(vectorOf(other.b), a)) == 0 &&
-           dot(normal, minus(vectorOf(other.c), a)) == 0;
-}
-
 } // namespace
 
 bool isLitRationally(const Scene& scene, const std::vector<rays::SurfaceTriangle>& triangles,
@@ -86,8 +79,7 @@ bool isLitRationally(const Scene& scene, const std::vector<rays::SurfaceTriangle
     }
     const Vector place = placeOf(triangles, point);
     for (std::uint32_t i = 0; i < triangles.size(); ++i)
-        if (i != point.triangle && triangles[i].casts && meets(triangles[i], place, towards) &&
-            (isFree || !isCoplanar(triangles[point.triangle], triangles[i])))
+        if (i != point.triangle && triangles[i].casts && meets(triangles[i], place, towards))
             return false;
     return true;
 }
