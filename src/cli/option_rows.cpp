@@ -101,7 +101,7 @@ const std::vector<Option> picture = {
      "auto; off with --layout published or brute-force", sees,
      "Whether materials that aren't double-sided are invisible from behind",
      "Both sides cast shadows either way."},
-    {"--section NX,NY,NZ,D", "", Where(sees, render | compare | view | sunhours),
+    {"--section NX,NY,NZ,D", "", Where(sees, render | compare | view),
      "Cut the scene open along a plane; may be repeated",
      "It keeps the points where NX*x + NY*y + NZ*z + D is 0 or more, for at most 6 planes. The "
      "ground isn't cut."},
@@ -216,20 +216,44 @@ const std::vector<Option> sunlight = {
      "Hours of the clock that count, for example 9-17 or 9:30-17"},
     {"--utc-offset +HH:MM", "whole hours, by longitude", usual(sunhours),
      "The clock's offset from UTC, with summer time"},
-    {"--min-altitude DEG", from(0.0, 90.0), "=0", sunhours,
+    {"--min-altitude DEG", from(0.0, 90.0), "0; 6 with a preset of DIN 5034-1", sunhours,
      "Altitude from which the sun counts, in degrees"},
     {"--threshold H", from(0.0, 24.0), "", usual(sunhours),
      "Report the area that gets at least so many hours per day"},
     {"--preset NAME", presets(), "", usual(sunhours), "Threshold and date of a recommendation",
-     "EN 17037: 1.5, 3 or 4 hours. BRE 209: two hours on half of a garden. The default date is 21 "
-     "March " +
-         std::to_string(static_cast<int>(hours::presetYear)) + "."},
+     "EN 17037: 1.5, 3 or 4 hours. BRE 209: two hours on half of a garden. DIN 5034-1: an hour on "
+     "17 January, 4 hours at the equinox. The default date is 21 March " +
+         std::to_string(static_cast<int>(hours::presetYear)) + ", or that of winter."},
     {"--at X,Y,Z", "", usual(sunhours), "Report the hours at this point; may be repeated",
      "X,Y,Z,NX,NY,NZ adds the direction that it faces."},
-    {"--counts OUT.png", "", usual(sunhours | merge),
+    {"--by WORD", words({"auto", "rays", "masks"}), "=auto", usual(sunhours),
+     "What counts the sun positions",
+     "rays: rays without rounding, on all cores. masks: exact shadow masks that the GL draws. "
+     "auto: "
+     "rays where the processor draws, masks where hardware does."},
+    {"--surfaces", usual(sunhours),
+     "Measure every surface, whether a camera sees it or not, in cells of a grid",
+     "OUT is one or more files. .glb: the cells as a coloured mesh. .csv: a table of cells. .npy: "
+     "a packed bit for each cell and sun position."},
+    {"--grid D", above(0.0), "=0.5", usual(sunhours), "Greatest width of a cell, in metres"},
+    {"--offset D", from(0.0), "=0", sunhours, "Distance of sensors from their surfaces, in metres",
+     "0: on them, where a surface's own plane blocks nothing."},
+    {"--unit M", above(0.0), "=1", sunhours, "Metres that a scene unit is"},
+    {"--nodes NAME", "all", sunhours, "Measure the surfaces of this node; may be repeated",
+     "Those of nodes beneath it belong to it."},
+    {"--materials NAME", "all", sunhours, "Measure the surfaces of this material; may be repeated"},
+    {"--windows NAME", "", usual(sunhours),
+     "Measure the middles of windows, by their node or material; may be repeated",
+     "With a preset or --threshold the report says which of them pass."},
+    {"--epw FILE", "", usual(sunhours),
+     "Weather file of EnergyPlus: place, time zone and direct normal radiation"},
+    {"--quantity WORD", words({"hours", "direct-kwh"}), "=hours", sunhours,
+     "Quantity that surfaces are coloured and reported by",
+     "direct-kwh: kWh/m² of the direct beam by the weather file of --epw; no light of the sky."},
+    {"--when", sunhours, "Add the first and the last time of sun to tables"},
+    {"--counts OUT.png", "", Where(sunhours | merge, merge),
      "Picture of counted sun positions, 16-bit grey", "Pixels without a surface are clear."},
-    {"--part K/N", "", usual(sunhours),
-     "Count every N-th position from the K-th on, for sunhours-merge"},
+    {"--part K/N", "", sunhours, "Count every N-th position from the K-th on, for sunhours-merge"},
     {"--sun-hours", usual(view), "Show the hours of sunlight on the day of --time-of-day"}};
 
 const std::vector<Option> measuring = {
@@ -270,7 +294,11 @@ const std::vector<Option> measuring = {
      "processor's time on all cores, for a software GL on a busy machine."},
     {"--explain", render,
      "Say what is drawn of the shadow volumes, how and why, and what is left out"},
-    {"--report FILE", "", usual(all & ~view), "Write a JSON report; - is standard output"}};
+    {"--report FILE", "", usual(all & ~(view | sunhours)),
+     "Write a JSON report; - is standard output"},
+    {"--report FILE", "", usual(sunhours),
+     "Write a JSON report, or with --surfaces a page, .html; - is standard output",
+     "A page has pictures, a table and all settings, for screen and paper."}};
 
 const std::vector<Option> limits = {
     {"--max-file BYTES", bytes(), "=4G", reads,

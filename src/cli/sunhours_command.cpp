@@ -2,6 +2,7 @@
 #include "src/cli/commands.hpp"
 #include "src/cli/report.hpp"
 #include "src/cli/sunhours_options.hpp"
+#include "src/cli/sunhours_surfaces.hpp"
 
 #include <memory>
 
@@ -9,16 +10,18 @@
 #include "preprocess/mesh/topology.hpp"
 #include "preprocess/reading/scene_names.hpp"
 #include "src/cli/draw_settings.hpp"
+#include "src/cli/scene_hash.hpp"
 #include "src/cli/sunhours_files.hpp"
+#include "src/cli/sunhours_way.hpp"
 #include "src/gl/headless_context.hpp"
 #include "src/hours/part_file.hpp"
 #include "src/lab/pixel_surfaces.hpp"
+#include "src/lab/sun_counts.hpp"
 #include "src/lab/sun_probe.hpp"
 #include "src/lab/texture_alpha.hpp"
 #include "src/render/accumulation/direction_counts.hpp"
 #include "src/shadow/view/plan_view.hpp"
 
-#include <cstring>
 #include <glm/gtc/type_ptr.hpp>
 #endif
 
@@ -29,8 +32,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Shares of the progress bar at which stages begin.
-constexpr double surfacesFrom = 0.85, probesFrom = 0.95;
+/// Shares of the progress bar: of measuring surfaces, and of counting.
+constexpr double surfacesShare = 0.1, countingShare = 0.85;
 
 Json cameraJson(const Frustum& frustum) {
     Json camera = {{"matrix", std::vector<double>(glm::value_ptr(frustum.viewFromWorld),
@@ -40,25 +43,6 @@ Json cameraJson(const Frustum& frustum) {
     else
         camera["fov"] = glm::degrees(2.0 * std::atan(0.5 * frustum.size().y));
     return camera;
-}
-
-/// A hash of all triangles and their positions: 64-bit FNV-1a, 16 digits.
-std::string hashOf(const Scene& scene) {
-    std::uint64_t hash = 0xCBF29CE484222325;
-    const auto add = [&hash](const auto& values) {
-        const auto* bytes = reinterpret_cast<const unsigned char*>(values.data());
-        for (std::size_t i = 0; i < values.size() * sizeof(values[0]); ++i)
-            hash = (hash ^ bytes[i]) * 0x100000001B3;
-    };
-    for (const Batch& batch : scene.batches) {
-        const double* matrix = glm::value_ptr(batch.worldFromBatch);
-        add(std::span(matrix, 16));
-        add(batch.geometry->positions);
-        add(batch.geometry->indices);
-    }
-    char text[17];
-    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-    return text;
 }
 
 FrameRequest requestOf(const SunHoursOptions& options, const Scene& scene) {
@@ -82,6 +66,10 @@ std::vector<glm::dvec3> directionsOf(const std::vector<hours::Position>& positio
     return directions;
 }
 
+std::string countingText(std::size_t positions) {
+    return "counting " + std::to_string(positions) + " sun positions";
+}
+
 LitCounts countLit(const SunHoursOptions& options, const LoadedScene& loaded,
                    const FrameRequest& request, const std::vector<glm::dvec3>& directions,
                    ProgressBar& bar) {
@@ -94,30 +82,29 @@ LitCounts countLit(const SunHoursOptions& options, const LoadedScene& loaded,
     GpuScene scene = uploadScene(loaded, draw.render.records(), context.capabilities());
     return countDirections(
         loaded, request, directions, renderer, scene, context.capabilities(), [&](double share) {
-            bar.show(surfacesFrom * share,
-                     "counting " + std::to_string(directions.size()) + " sun positions");
+            bar.show(surfacesShare + countingShare * share, countingText(directions.size()));
         });
 }
 
 /// The node that cut faces of a section count as; no file has so many nodes.
 constexpr std::uint32_t fillNode = hours::Exposure::none - 1;
 
-/// Adds the visible surfaces to the part, by area, material and node.
-void addSurfaces(const LoadedScene& loaded, const FrameRequest& request,
-                 const lab::AlphaLookup& alpha, hours::Part& part, ProgressBar& bar) {
+lab::Question questionOf(const LoadedScene& loaded, const FrameRequest& request) {
     const FrameView view = makeFrameView(loaded.scene, request, worldBounds(loaded.scene));
     lab::Question question;
     question.scene = &loaded.scene;
     question.castMasked = loaded.settings.castMasked;
+    question.cutoutsCast = loaded.cutoutsCast;
     question.frustum = view.frustum;
     question.near = view.near();
     question.width = request.width;
     question.height = request.height;
-    const lab::Oracle oracle(question, alpha);
-    const std::vector<lab::PixelSurface> surfaces = lab::pixelSurfaces(oracle, [&](double share) {
-        bar.show(surfacesFrom + (probesFrom - surfacesFrom) * share, "measuring surfaces");
-    });
+    return question;
+}
 
+/// Adds the visible surfaces to the part, by area, material and node.
+void addSurfaces(const LoadedScene& loaded, const lab::Oracle& oracle,
+                 const std::vector<lab::PixelSurface>& surfaces, hours::Part& part) {
     hours::Exposure& exposure = part.exposure;
     exposure.material.assign(surfaces.size(), hours::Exposure::none);
     exposure.node.assign(surfaces.size(), hours::Exposure::none);
@@ -125,7 +112,7 @@ void addSurfaces(const LoadedScene& loaded, const FrameRequest& request,
         const bool known = exposure.surface[i] != 0 && surfaces[i].area > 0.0;
         exposure.area.push_back(known ? static_cast<float>(surfaces[i].area) : 0.0f);
         if (!known) continue;
-        const lab::EyeTriangle& triangle = oracle.triangles()[surfaces[i].triangle];
+        const rays::SurfaceTriangle& triangle = oracle.triangles()[surfaces[i].triangle];
         const Batch& batch = loaded.scene.batches[triangle.batch];
         if (batch.ground) continue;
         const bool isFill = triangle.material >= loaded.scene.whole().materials.size();
@@ -142,47 +129,58 @@ void addSurfaces(const LoadedScene& loaded, const FrameRequest& request,
     }
 }
 
+/// Counts the part's positions for each pixel, and measures the visible surfaces.
+void expose(const SunHoursOptions& options, const SunHoursWay& way, const LoadedScene& loaded,
+            const FrameRequest& request, const lab::AlphaLookup& alpha,
+            const std::vector<glm::dvec3>& directions, hours::Part& part, ProgressBar& bar) {
+    const lab::Oracle oracle(questionOf(loaded, request), alpha);
+    const std::vector<lab::PixelSurface> surfaces = lab::pixelSurfaces(
+        oracle, [&](double share) { bar.show(surfacesShare * share, "measuring surfaces"); });
+    hours::Exposure& exposure = part.exposure;
+    exposure.width = request.width;
+    exposure.height = request.height;
+    if (way.byRays) {
+        exposure.lit = lab::litCounts(oracle, surfaces, directions, [&](double share) {
+            bar.show(surfacesShare + countingShare * share, countingText(directions.size()));
+        });
+        for (const lab::PixelSurface& surface : surfaces)
+            exposure.surface.push_back(surface.area > 0.0);
+    } else {
+        const LitCounts counts = countLit(options, loaded, request, directions, bar);
+        exposure.lit = counts.lit;
+        for (const std::uint16_t drawn : counts.surface)
+            exposure.surface.push_back(drawn > 0);
+    }
+    addSurfaces(loaded, oracle, surfaces, part);
+}
+
 void sunHours(const SunHoursOptions& options) {
+    const SunHoursWay way = wayOf(options);
     const hours::Schedule schedule = options.schedule();
     const std::vector<hours::Position> positions = hours::positionsOf(schedule);
-    LoadedScene loaded = options.load(Shading::base, ShadowMethod::volumes, false);
-    Warnings& warnings = loaded.scene.warnings;
-    if (positions.empty())
-        warnings.add("The sun is never higher than " +
-                     CLI::detail::to_string(schedule.minAltitude) +
-                     " degrees in these hours, so there are no hours of sun.");
-    if (const std::string about = options.dateWarning(); !about.empty()) warnings.add(about);
-    printWarnings(warnings.sentences());
-    if (!options.offset)
-        printProgress("Clock: UTC" + sun::textOf(schedule.offset) +
-                      ", by the longitude; --utc-offset sets another.");
+    const LoadedScene loaded = options.loadForHours(
+        schedule, positions, way.byRays ? ShadowMethod::primitiveMap : ShadowMethod::volumes);
     const FrameRequest request = requestOf(options, loaded.scene);
 
     hours::Part part;
     std::tie(part.number, part.of) =
         options.part.value_or(std::pair<std::size_t, std::size_t>(1, 1));
     part.settings = options.settingsJson(schedule, loaded.scene);
+    part.settings["by"] = nameOf(way);
+    part.settings["by-reason"] = way.why;
     part.camera = cameraJson(request.frustum);
     part.scene = hashOf(loaded.scene);
-    part.warnings = warnings.sentences();
+    part.warnings = loaded.scene.warnings.sentences();
     part.positionsOfRun = positions.size();
     part.positions = partOf(positions, part.number, part.of);
     part.offset = schedule.offset;
 
     ProgressBar bar;
     const std::vector<glm::dvec3> directions = directionsOf(part.positions);
-    const LitCounts counts = countLit(options, loaded, request, directions, bar);
-    hours::Exposure& exposure = part.exposure;
-    exposure.width = counts.width;
-    exposure.height = counts.height;
-    exposure.lit = counts.lit;
-    for (const std::uint16_t drawn : counts.surface)
-        exposure.surface.push_back(drawn > 0);
-
     const lab::AlphaLookup alpha = lab::textureAlpha(loaded);
-    addSurfaces(loaded, request, alpha, part, bar);
+    expose(options, way, loaded, request, alpha, directions, part, bar);
     for (const hours::ProbePoint& probe : options.probes) {
-        bar.show(probesFrom, "testing points");
+        bar.show(surfacesShare + countingShare, "testing points");
         part.probes.push_back(
             {probe, lab::seenFrom(loaded, alpha, probe.point, probe.normal, directions)});
     }
@@ -204,6 +202,16 @@ void sunHours(const SunHoursOptions&) {
 
 #endif
 
+/// Throws Error(usage) for files that only --surfaces writes.
+void requirePicture(const SunHoursFiles& files) {
+    requireJsonReport(files);
+    if (!files.more.empty()) throw Error(ExitStatus::usage, "OUT: several files need --surfaces.");
+    for (const char* end : {".glb", ".csv", ".npy"})
+        if (files.picture.ends_with(end))
+            throw Error(ExitStatus::usage,
+                        "OUT: '" + files.picture + "' needs --surfaces; a picture is a .png.");
+}
+
 } // namespace
 
 void addSunHoursCommand(CLI::App& program) {
@@ -212,14 +220,19 @@ void addSunHoursCommand(CLI::App& program) {
         "Count the hours of sunlight on each visible surface, as a picture and a report");
     const auto options = std::make_shared<SunHoursOptions>();
     addSceneFile(*verb, *options)->required();
-    verb->add_option("OUT", options->files.picture, "The picture, .png, or the part of --part")
+    verb->add_option_function<std::vector<std::string>>(
+            "OUT",
+            [options](const std::vector<std::string>& paths) {
+                options->files.picture = paths.front();
+                options->files.more.assign(paths.begin() + 1, paths.end());
+            },
+            "The picture, .png; with --surfaces one or more of .glb, .csv, .npy")
         ->required();
     addSunHoursOptions(*verb, *options);
     verb->callback([options] {
-        if (options->cutoutsCast)
-            throw Error(ExitStatus::usage,
-                        "--cast-cutouts does not go with sunhours, whose shadow volumes count no "
-                        "cutouts; --cast-masked casts whole triangles.");
+        options->readWeatherFile();
+        if (options->surface.surfaces) return sunHoursOfSurfaces(*options);
+        requirePicture(options->files);
         sunHours(*options);
     });
 }

@@ -1,6 +1,7 @@
 #include "src/cli/commands.hpp"
 #include "src/cli/report.hpp"
 #include "src/cli/sunhours_files.hpp"
+#include "src/cli/sunhours_options.hpp"
 #include "src/hours/merge.hpp"
 #include "src/hours/part_file.hpp"
 
@@ -15,6 +16,7 @@ struct MergeOptions {
 };
 
 void merge(const MergeOptions& options) {
+    requireJsonReport(options.files);
     std::vector<hours::PartOfFile> parts;
     ProgressBar bar;
     for (const std::string& path : options.parts) {

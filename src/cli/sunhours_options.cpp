@@ -2,6 +2,7 @@
 
 #include "src/cli/add_options.hpp"
 #include "src/cli/number_text.hpp"
+#include "src/cli/report.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -93,7 +94,7 @@ void addDates(CLI::App& verb, SunHoursOptions& options) {
     addOption(verb, "--utc-offset", [&](const std::string& text) {
         options.offset = readAs("--utc-offset", [&] { return sun::offsetFromText(text); });
     });
-    addNumber(verb, "--min-altitude", options.typed.minAltitude);
+    addNumber(verb, "--min-altitude", options.minAltitude);
 }
 
 void addThresholds(CLI::App& verb, SunHoursOptions& options) {
@@ -106,11 +107,46 @@ void addThresholds(CLI::App& verb, SunHoursOptions& options) {
 
 } // namespace
 
+std::vector<std::string> SunHoursFiles::all() const {
+    std::vector<std::string> paths = {picture};
+    paths.insert(paths.end(), more.begin(), more.end());
+    return paths;
+}
+
+LoadedScene SunHoursOptions::loadForHours(const hours::Schedule& schedule,
+                                          std::span<const hours::Position> positions,
+                                          ShadowMethod shadows) const {
+    LoadedScene loaded = load(Shading::base, shadows, false);
+    Warnings& warnings = loaded.scene.warnings;
+    if (positions.empty())
+        warnings.add("The sun is never higher than " +
+                     CLI::detail::to_string(schedule.minAltitude) +
+                     " degrees in these hours, so there are no hours of sun.");
+    if (const std::string about = dateWarning(); !about.empty()) warnings.add(about);
+    if (weather && weather->missing > 0)
+        warnings.add("'" + epw + "' lacks the direct normal radiation of " +
+                     std::to_string(weather->missing) + " hours, which count as 0.");
+    printWarnings(warnings.sentences());
+    if (!offset && !weather)
+        printProgress("Clock: UTC" + sun::textOf(schedule.offset) +
+                      ", by the longitude; --utc-offset sets another.");
+    return loaded;
+}
+
+void SunHoursOptions::readWeatherFile() {
+    if (!epw.empty()) weather = hours::readWeather(epw, limits.fileBytes);
+}
+
 hours::Schedule SunHoursOptions::schedule() const {
+    if (!place && !weather)
+        throw Error(ExitStatus::usage,
+                    "sunhours needs --place, or a weather file of --epw, which has one.");
     hours::Schedule schedule = typed;
-    schedule.place = *place;
+    schedule.place = weather ? weather->place : *place;
     schedule.step = minutes(step);
-    schedule.offset = offset.value_or(hours::offsetNear(place->longitude));
+    schedule.minAltitude = minAltitude.value_or(preset ? preset->minAltitude : 0.0);
+    schedule.offset =
+        offset.value_or(weather ? weather->offset : hours::offsetNear(schedule.place.longitude));
     if (date) {
         schedule.from = schedule.to = *date;
     } else if (from) {
@@ -169,11 +205,21 @@ nlohmann::ordered_json SunHoursOptions::settingsJson(const hours::Schedule& sche
         {"threshold", wanted ? Json(*wanted) : Json(nullptr)},
         {"preset", preset ? Json(preset->name) : Json(nullptr)},
         {"cast-masked", casters.castMasked},
+        {"cast-cutouts", cutoutsCast},
         {"gl-limits", glLimitsName(glLimits)},
     };
+    if (weather)
+        settings["epw"] = {{"file", std::filesystem::path(epw).filename().string()},
+                           {"station", weather->station}};
     if (!variant.empty()) settings["variant"] = variant;
     settings.update(sceneJson(scene));
     return settings;
+}
+
+void requireJsonReport(const SunHoursFiles& files) {
+    if (files.report.ends_with(".html"))
+        throw Error(ExitStatus::usage,
+                    "--report: '" + files.report + "', a page, needs --surfaces.");
 }
 
 void addSunHoursFileOptions(CLI::App& verb, SunHoursFiles& files) {
@@ -182,7 +228,8 @@ void addSunHoursFileOptions(CLI::App& verb, SunHoursFiles& files) {
 }
 
 void addSunHoursOptions(CLI::App& verb, SunHoursOptions& options) {
-    addPlaceOption(verb, options.place)->required();
+    CLI::Option* const place = addPlaceOption(verb, options.place);
+    addText(verb, "--epw", options.epw)->excludes(place);
     addDates(verb, options);
     addNumber(verb, "--north", options.typed.north);
     addThresholds(verb, options);
@@ -193,10 +240,13 @@ void addSunHoursOptions(CLI::App& verb, SunHoursOptions& options) {
         plan->excludes(verb.get_option(other));
     addRepeated(verb, "--at",
                 [&](const std::string& text) { options.probes.push_back(probeFrom(text)); });
+    addWords(verb, "--by", options.by,
+             std::vector{SunHoursBy::automatic, SunHoursBy::rays, SunHoursBy::masks});
     addSunHoursFileOptions(verb, options.files);
     addOption(verb, "--part", [&](const std::string& text) { options.part = partFrom(text); })
         ->excludes(verb.get_option("--counts"))
         ->excludes(verb.get_option("--report"));
+    addSurfaceOptions(verb, options.surface);
 }
 
 } // namespace edgeshade::cli

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "src/cli/options.hpp"
+#include "src/cli/surface_options.hpp"
 #include "src/hours/part.hpp"
 #include "src/hours/preset.hpp"
 #include "src/hours/schedule.hpp"
+#include "src/hours/weather_file.hpp"
 
 #include <optional>
 #include <string>
@@ -14,10 +16,17 @@ namespace edgeshade::cli {
 
 /// The output files for hours of sunlight.
 struct SunHoursFiles {
-    std::string picture; ///< .png
-    std::string counts;  ///< .png; empty: none
-    std::string report;  ///< empty: none
+    std::string picture;           ///< .png; with --surfaces the first of the files
+    std::string counts;            ///< .png; empty: none
+    std::string report;            ///< empty: none
+    std::vector<std::string> more; ///< with --surfaces: the files after the first
+
+    /// The first file and those after it.
+    std::vector<std::string> all() const;
 };
+
+/// Values of `--by`.
+enum class SunHoursBy { automatic, rays, masks };
 
 /// Options of `sunhours`, as typed.
 struct SunHoursOptions : SceneOptions {
@@ -25,22 +34,38 @@ struct SunHoursOptions : SceneOptions {
     std::optional<sun::Place> place;
     std::optional<std::chrono::sys_days> date, from, to;
     std::optional<std::chrono::minutes> offset;
-    int step{};            ///< minutes that each sun position stands for
-    hours::Schedule typed; ///< its hours, least altitude and north
+    int step{};                        ///< minutes that each sun position stands for
+    hours::Schedule typed;             ///< its hours and north
+    std::optional<double> minAltitude; ///< degrees; null: the preset's, or 0
     bool plan = false;
+    SunHoursBy by = SunHoursBy::automatic;
     std::optional<double> threshold; ///< hours per day
     const hours::Preset* preset = nullptr;
     std::vector<hours::ProbePoint> probes;
+    SurfaceOptions surface;
+    std::string epw;                       ///< the weather file; empty: none
+    std::optional<hours::Weather> weather; ///< from that file, after readWeatherFile()
     std::optional<std::pair<std::size_t, std::size_t>> part; ///< K of N
 
-    /// Throws Error(usage) if no date was typed, and for options that don't go together.
+    /// Reads the weather file, if one was typed. Throws InputError.
+    void readWeatherFile();
+    /// Throws Error(usage) if neither place nor weather file, or no date, was typed, and for
+    /// options that don't go together.
     hours::Schedule schedule() const;
     std::optional<double> hoursWanted() const;
     /// Warning if --preset does not suit the dates; empty: none.
     std::string dateWarning() const;
+    /// Loads the scene, and prints its warnings and those about dates and clock. `positions`: those
+    /// of the schedule; `shadows`: as for load().
+    LoadedScene loadForHours(const hours::Schedule& schedule,
+                             std::span<const hours::Position> positions,
+                             ShadowMethod shadows) const;
     /// The settings that reports and merging need. `schedule`: from schedule(). `scene`: as loaded.
     nlohmann::ordered_json settingsJson(const hours::Schedule& schedule, const Scene& scene) const;
 };
+
+/// Throws Error(usage) for a report that is a page, which only --surfaces makes.
+void requireJsonReport(const SunHoursFiles& files);
 
 /// `--counts` and `--report`.
 void addSunHoursFileOptions(CLI::App& verb, SunHoursFiles& files);

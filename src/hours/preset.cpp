@@ -8,13 +8,18 @@ namespace {
 
 using namespace std::chrono;
 
-constexpr month_day february = February / 1, equinox = March / 21;
+constexpr month_day february = February / 1, equinox = March / 21, winter = January / 17;
 
-constexpr std::array<Preset, 4> all = {{
+/// DIN 5034-1: lower sun does not count as sunlight in a room.
+constexpr double dinAltitude = 6.0;
+
+constexpr std::array<Preset, 6> all = {{
     {"en17037-minimum", "EN 17037, minimum", 1.5, false, february, equinox},
     {"en17037-medium", "EN 17037, medium", 3.0, false, february, equinox},
     {"en17037-high", "EN 17037, high", 4.0, false, february, equinox},
     {"bre-garden", "BRE 209, gardens and open spaces", 2.0, true, equinox, equinox},
+    {"din5034-winter", "DIN 5034-1, winter", 1.0, false, winter, winter, dinAltitude},
+    {"din5034-equinox", "DIN 5034-1, equinox", 4.0, false, March / 20, equinox, dinAltitude},
 }};
 
 } // namespace

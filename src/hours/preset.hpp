@@ -16,6 +16,7 @@ struct Preset {
     bool ofHalfTheArea = false;             ///< half of the area must reach the threshold
     std::chrono::month_day first{}, last{}; ///< days of the year it applies to; the last is the
                                             ///< default
+    double minAltitude = 0.0;               ///< degrees; the sun counts above it by default
 };
 
 /// The year of a preset's default day. It is fixed, so that the same command gives the same picture

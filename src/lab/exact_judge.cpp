@@ -1,5 +1,8 @@
 #include "src/lab/exact_judge.hpp"
 
+#include "src/rays/exact_blocking.hpp"
+
+#include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <optional>
@@ -40,7 +43,7 @@ Vector cross(const Vector& a, const Vector& b) {
 struct ExactTriangle {
     Vector a, b, c, normal;
 
-    explicit ExactTriangle(const EyeTriangle& t) : a(t.a), b(t.b), c(t.c) {
+    explicit ExactTriangle(const SurfaceTriangle& t) : a(t.a), b(t.b), c(t.c) {
         normal = cross(b - a, c - a);
     }
 };
@@ -66,29 +69,25 @@ std::optional<ExactHit> intersect(const ExactTriangle& triangle, const Vector& o
     return ExactHit{dot(ac, q) / determinant, u.convert_to<double>(), v.convert_to<double>()};
 }
 
-bool isCoplanar(const ExactTriangle& surface, const ExactTriangle& other) {
-    return dot(surface.normal, other.a - surface.a) == 0 &&
-           dot(surface.normal, other.b - surface.a) == 0 &&
-           dot(surface.normal, other.c - surface.a) == 0;
-}
-
 int signOf(const Rational& value) {
     return value.sign();
 }
 
-/// Whether anything but the surface itself is between the point and the light.
-bool isBlocked(const Oracle& oracle, std::uint32_t own, const ExactTriangle& surface,
-               const Vector& point, const glm::dvec3& roundedPoint, std::size_t lightIndex) {
+/// Whether a caster blocks the light of a point on a triangle.
+bool isBlocked(const Oracle& oracle, const rays::SurfacePoint& point, std::size_t lightIndex) {
+    const auto cornersOf = [&](std::uint32_t i) {
+        const SurfaceTriangle& triangle = oracle.triangles()[i];
+        return rays::Corners{triangle.a, triangle.b, triangle.c};
+    };
+    const rays::Corners surface = cornersOf(point.triangle);
+    const glm::dvec3 place = rays::placeExactly(point, surface);
     const glm::dvec4 light = oracle.lightFromEye(lightIndex);
-    const Rational w(light.w);
-    const Vector towards = Vector(glm::dvec3(light)) - w * point;
-    const glm::dvec3 roundedTowards = glm::dvec3(light) - roundedPoint * light.w;
-    for (const std::uint32_t j : oracle.candidates(roundedPoint, roundedTowards, light.w != 0.0)) {
-        if (j == own || !oracle.blocks(j, lightIndex)) continue;
-        const ExactTriangle other(oracle.triangles()[j]);
-        const auto hit = intersect(other, point, towards);
-        if (!hit || hit->t <= 0 || (light.w != 0.0 && hit->t >= 1)) continue;
-        if (!isCoplanar(surface, other)) return true;
+    const glm::dvec3 towards = glm::dvec3(light) - place * light.w;
+    for (const std::uint32_t i : oracle.candidates(place, towards, light.w != 0.0)) {
+        if (i == point.triangle || !oracle.blocks(i, lightIndex)) continue;
+        if (rays::blocksExactly(point, &surface, cornersOf(i), light) &&
+            !oracle.isHoleAt(i, place, towards))
+            return true;
     }
     return false;
 }
@@ -104,34 +103,44 @@ bool isInCone(const Cone& cone, const Vector& fromLight) {
 
 } // namespace
 
-Verdict judgeExactly(const Oracle& oracle, double x, double y) {
-    const Question& question = oracle.question();
-    const PixelRay ray = pixelRay(question, x, y);
+std::optional<ExactSurface> surfaceExactly(const Oracle& oracle, double x, double y) {
+    const PixelRay ray = pixelRay(oracle.question(), x, y);
     const Vector direction(ray.direction), origin(ray.origin);
-    const Rational near(question.near);
-    Verdict verdict;
+    const Rational near(oracle.question().near);
     std::optional<ExactHit> nearest;
-    std::uint32_t own = 0;
-    for (const std::uint32_t i : oracle.candidates(ray.origin, ray.direction, false)) {
-        const EyeTriangle& triangle = oracle.triangles()[i];
+    ExactSurface surface;
+    std::vector<std::uint32_t> candidates = oracle.candidates(ray.origin, ray.direction, false);
+    std::ranges::sort(candidates); // the first of coinciding surfaces is drawn
+    for (const std::uint32_t i : candidates) {
+        const SurfaceTriangle& triangle = oracle.triangles()[i];
         if (!triangle.visible) continue;
         const auto hit = intersect(ExactTriangle(triangle), origin, direction);
         if (!hit || hit->t < near || hit->t <= 0 || oracle.isCutOut(triangle, hit->u, hit->v))
             continue;
-        if (nearest && hit->t == nearest->t) verdict.coincident = true;
+        if (nearest && hit->t == nearest->t) surface.coincident = true;
         if (nearest && hit->t >= nearest->t) continue;
-        verdict.coincident = false;
+        surface = {i, hit->t.convert_to<double>(), false};
         nearest = hit;
-        own = i;
     }
-    if (!nearest) return verdict;
+    if (!nearest) return std::nullopt;
+    return surface;
+}
 
+Verdict judgeExactly(const Oracle& oracle, double x, double y) {
+    const Question& question = oracle.question();
+    Verdict verdict;
+    const std::optional<ExactSurface> seen = surfaceExactly(oracle, x, y);
+    if (!seen) return verdict;
+    verdict.coincident = seen->coincident;
+
+    const PixelRay ray = pixelRay(question, x, y);
+    const std::uint32_t own = seen->triangle;
     const ExactTriangle surface(oracle.triangles()[own]);
-    const Vector point = origin + nearest->t * direction;
-    const glm::dvec3 roundedPoint = ray.at(nearest->t.convert_to<double>());
-    const glm::dvec4& eye = oracle.eye();
-    const int eyeSide =
-        signOf(dot(surface.normal, Vector(glm::dvec3(eye)) - Rational(eye.w) * surface.a));
+    const rays::SurfacePoint lineOfSight{ray.origin, ray.direction, own};
+    const Vector origin(ray.origin), direction(ray.direction);
+    const Vector point = origin + dot(surface.normal, surface.a - origin) /
+                                      dot(surface.normal, direction) * direction;
+    const int eyeSide = -signOf(dot(surface.normal, direction));
     verdict.answer.surface = true;
     for (std::size_t i = 0; i < question.lights.size(); ++i) {
         const glm::dvec4 light = oracle.lightFromEye(i);
@@ -145,8 +154,7 @@ Verdict judgeExactly(const Oracle& oracle, double x, double y) {
             if (!isInCone(*cone, point - Vector(glm::dvec3(light)))) continue;
         if (lightSide == 0) verdict.coincident = true;
         const bool turnedAway = oracle.triangles()[own].casts && eyeSide * lightSide < 0;
-        if (!turnedAway && !oracle.isGrazed(own, i) &&
-            !isBlocked(oracle, own, surface, point, roundedPoint, i))
+        if (!turnedAway && !oracle.isGrazed(own, i) && !isBlocked(oracle, lineOfSight, i))
             verdict.answer.lit.add(i);
     }
     return verdict;

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <embree3/rtcore.h>
 #include <limits>
 
 namespace edgeshade::lab {
@@ -38,7 +37,7 @@ struct Meeting {
 };
 
 /// `originError`: error bound of the origin, and so of the direction.
-Meeting intersect(const EyeTriangle& triangle, const glm::dvec3& origin, double originError,
+Meeting intersect(const SurfaceTriangle& triangle, const glm::dvec3& origin, double originError,
                   const glm::dvec3& direction) {
     const glm::dvec3 ab = triangle.b - triangle.a, ac = triangle.c - triangle.a;
     const glm::dvec3 p = glm::cross(direction, ac);
@@ -70,7 +69,7 @@ Meeting intersect(const EyeTriangle& triangle, const glm::dvec3& origin, double 
 }
 
 /// Whether `other` lies exactly in the plane of `surface`.
-bool isCoplanar(const EyeTriangle& surface, const EyeTriangle& other) {
+bool isCoplanar(const SurfaceTriangle& surface, const SurfaceTriangle& other) {
     const glm::dvec3 normal = normalOf(surface);
     return glm::dot(normal, other.a - surface.a) == 0.0 &&
            glm::dot(normal, other.b - surface.a) == 0.0 &&
@@ -78,7 +77,7 @@ bool isCoplanar(const EyeTriangle& surface, const EyeTriangle& other) {
 }
 
 /// Whether rounding could change the answer to whether `other` lies in the plane of `surface`.
-bool isNearlyCoplanar(const EyeTriangle& surface, const EyeTriangle& other) {
+bool isNearlyCoplanar(const SurfaceTriangle& surface, const SurfaceTriangle& other) {
     const glm::dvec3 normal = normalOf(surface);
     const double area = magnitude(surface.b - surface.a) * magnitude(surface.c - surface.a);
     for (const glm::dvec3& corner : {other.a, other.b, other.c}) {
@@ -86,21 +85,6 @@ bool isNearlyCoplanar(const EyeTriangle& surface, const EyeTriangle& other) {
         if (std::abs(glm::dot(normal, offset)) > rounding * area * magnitude(offset)) return false;
     }
     return true;
-}
-
-/// A ray's traversal by Embree, with the data of the filter function.
-struct Traversal {
-    RTCIntersectContext context; // first member: the filter casts the pointer back
-    const std::function<bool(std::uint32_t)>* visit; ///< returns whether to stop
-};
-
-/// Calls the visitor for every triangle that the ray touches; never lets Embree end a ray by
-/// itself.
-void offer(const RTCFilterFunctionNArguments* arguments) {
-    if (arguments->valid[0] == 0) return;
-    const auto* traversal = reinterpret_cast<const Traversal*>(arguments->context);
-    const auto triangle = RTCHitN_primID(arguments->hit, arguments->N, 0);
-    if (!(*traversal->visit)(triangle)) arguments->valid[0] = 0;
 }
 
 /// How far a point is within a cone, negative outside; `fromLight`: its position relative to the
@@ -112,72 +96,6 @@ double depthInCone(const Cone& cone, const glm::dvec3& fromLight) {
 }
 
 } // namespace
-
-struct Oracle::Tree {
-    RTCDevice device = nullptr;
-    RTCScene scene = nullptr;
-
-    explicit Tree(const std::vector<EyeTriangle>& triangles) {
-        device = rtcNewDevice("threads=2");
-        scene = rtcNewScene(device);
-        rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
-        RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-        if (!triangles.empty()) {
-            auto* vertices = static_cast<glm::vec3*>(
-                rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                        sizeof(glm::vec3), 3 * triangles.size()));
-            auto* indices = static_cast<std::uint32_t*>(
-                rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                        3 * sizeof(std::uint32_t), triangles.size()));
-            for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-                vertices[3 * i] = glm::vec3(triangles[i].a);
-                vertices[3 * i + 1] = glm::vec3(triangles[i].b);
-                vertices[3 * i + 2] = glm::vec3(triangles[i].c);
-                for (std::uint32_t c = 0; c < 3; ++c)
-                    indices[3 * i + c] = 3 * i + c;
-            }
-            rtcSetGeometryOccludedFilterFunction(geometry, offer);
-            rtcCommitGeometry(geometry);
-            rtcAttachGeometry(scene, geometry);
-        }
-        rtcReleaseGeometry(geometry);
-        rtcCommitScene(scene);
-    }
-    ~Tree() {
-        rtcReleaseScene(scene);
-        rtcReleaseDevice(device);
-    }
-    Tree(const Tree&) = delete;
-    Tree& operator=(const Tree&) = delete;
-
-    /// Calls visit(triangle) for all triangles that the ray may touch, until it returns true. The
-    /// ray starts slightly before its origin, so that rounding to float misses nothing.
-    void traverse(const glm::dvec3& origin, const glm::dvec3& direction, double length,
-                  const std::function<bool(std::uint32_t)>& visit) const {
-        const double reach = glm::length(direction);
-        if (reach == 0.0) return;
-        const double back = 1e-6 * largestComponent(origin);
-        const glm::dvec3 unit = direction / reach;
-        const glm::vec3 start(origin - back * unit);
-        const glm::vec3 toward(unit);
-        Traversal traversal;
-        rtcInitIntersectContext(&traversal.context);
-        traversal.visit = &visit;
-        RTCRay ray{};
-        ray.org_x = start.x;
-        ray.org_y = start.y;
-        ray.org_z = start.z;
-        ray.dir_x = toward.x;
-        ray.dir_y = toward.y;
-        ray.dir_z = toward.z;
-        ray.tnear = 0.0f;
-        ray.tfar = std::isfinite(length)
-                       ? static_cast<float>((length * reach + 2.0 * back) * (1.0 + 1e-6))
-                       : std::numeric_limits<float>::infinity();
-        ray.mask = ~0u;
-        rtcOccluded1(scene, &traversal.context, &ray);
-    }
-};
 
 PixelRay pixelRay(const Question& question, double x, double y) {
     const Frustum& frustum = question.frustum;
@@ -192,9 +110,8 @@ PixelRay pixelRay(const Question& question, double x, double y) {
 Oracle::Oracle(const Question& question, const AlphaLookup& alpha)
     : question_(question), position_(question.frustum.position()),
       eye_(fromPosition(question.frustum.eye())), alpha_(alpha),
-      triangles_(eyeTriangles(*question.scene, question.frustum, question.castMasked,
-                              question.cutoutsCast)),
-      tree_(std::make_unique<Tree>(triangles_)) {
+      surfaces_(std::make_shared<const rays::SurfaceSet>(rays::surfaceTriangles(
+          *question.scene, question.frustum, question.castMasked, question.cutoutsCast))) {
     findTouched();
 }
 
@@ -214,15 +131,13 @@ void Oracle::findTouched() {
                                   0.0);
         }
         std::vector<std::uint32_t>& touched = touched_.emplace_back();
-        for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
-            const std::uint32_t batch = triangles_[i].batch;
-            if (reached[batch] && touches(cornersInBatch(triangles_[i]), places[batch]))
+        for (std::uint32_t i = 0; i < triangles().size(); ++i) {
+            const std::uint32_t batch = triangles()[i].batch;
+            if (reached[batch] && touches(cornersInBatch(triangles()[i]), places[batch]))
                 touched.push_back(i);
         }
     }
 }
-
-Oracle::~Oracle() = default;
 
 glm::dvec4 Oracle::fromPosition(const glm::dvec4& point) const {
     return {glm::dvec3(point) - position_ * point.w, point.w};
@@ -232,16 +147,16 @@ glm::dvec4 Oracle::lightFromEye(std::size_t light) const {
     return fromPosition(question_.lights[light].position);
 }
 
-double Oracle::eyeSide(const EyeTriangle& triangle) const {
+double Oracle::eyeSide(const SurfaceTriangle& triangle) const {
     return glm::dot(normalOf(triangle), glm::dvec3(eye_) - triangle.a * eye_.w);
 }
 
 bool Oracle::blocks(std::uint32_t triangle, std::size_t light) const {
-    return triangles_[triangle].casts && !std::ranges::binary_search(touched_[light], triangle);
+    return triangles()[triangle].casts && !std::ranges::binary_search(touched_[light], triangle);
 }
 
 bool Oracle::isGrazed(std::uint32_t triangle, std::size_t light) const {
-    const EyeTriangle& surface = triangles_[triangle];
+    const SurfaceTriangle& surface = triangles()[triangle];
     return contactOf(cornersInBatch(surface), lightInBatch_[light][surface.batch]).grazes;
 }
 
@@ -253,17 +168,25 @@ const Cone* Oracle::coneOf(std::size_t light) const {
     return question_.lights[light].isSpot() ? &*question_.lights[light].cone : nullptr;
 }
 
-bool Oracle::isCutOut(const EyeTriangle& triangle, double u, double v) const {
+bool Oracle::isCutOut(const SurfaceTriangle& triangle, double u, double v) const {
     const Material& material = question_.scene->materials[triangle.material];
     return material.alphaMode == AlphaMode::mask &&
            alpha_.at(triangle, u, v) < material.alphaCutoff;
 }
 
-bool Oracle::isHole(const EyeTriangle& triangle, double u, double v) const {
+bool Oracle::isHole(const SurfaceTriangle& triangle, double u, double v) const {
     return question_.cutoutsCast && isCutOut(triangle, u, v);
 }
 
-bool Oracle::isCutOutByFilter(const EyeTriangle& triangle, double x, double y, double depth) const {
+bool Oracle::isHoleAt(std::uint32_t triangle, const glm::dvec3& origin,
+                      const glm::dvec3& direction) const {
+    if (!question_.cutoutsCast) return false;
+    const Meeting meeting = intersect(triangles()[triangle], origin, 0.0, direction);
+    return isHole(triangles()[triangle], meeting.u, meeting.v);
+}
+
+bool Oracle::isCutOutByFilter(const SurfaceTriangle& triangle, double x, double y,
+                              double depth) const {
     const Material& material = question_.scene->materials[triangle.material];
     if (material.alphaMode != AlphaMode::mask || !triangle.visible || !alpha_.range) return false;
     std::array<glm::dvec2, 3> places;
@@ -278,50 +201,62 @@ bool Oracle::isCutOutByFilter(const EyeTriangle& triangle, double x, double y, d
     return range.x < material.alphaCutoff && range.y >= material.alphaCutoff;
 }
 
-void Oracle::visitSurfaces(const PixelRay& ray,
-                           const std::function<void(const Hit&, bool certain)>& visit) const {
-    tree_->traverse(ray.origin, ray.direction, infinity, [&](std::uint32_t i) {
-        const EyeTriangle& triangle = triangles_[i];
-        if (!triangle.visible) return false;
-        const Meeting meeting = intersect(triangle, ray.origin, 0.0, ray.direction);
-        const bool hit = meeting.inside() && meeting.t >= question_.near &&
-                         !isCutOut(triangle, meeting.u, meeting.v);
-        // Texture filtering decides the edge of a cutout, and has no error bound.
-        const bool certain =
-            meeting.certain() && std::abs(meeting.t - question_.near) > meeting.tError &&
-            question_.scene->materials[triangle.material].alphaMode == AlphaMode::opaque;
-        if (hit || !certain) visit({i, hit ? meeting.t : infinity, meeting.tError}, certain);
-        return false;
-    });
+std::optional<Oracle::Sighting> Oracle::sightingOf(std::uint32_t i, const PixelRay& ray) const {
+    const SurfaceTriangle& triangle = triangles()[i];
+    if (!triangle.visible) return std::nullopt;
+    const Meeting meeting = intersect(triangle, ray.origin, 0.0, ray.direction);
+    const bool hit = meeting.inside() && meeting.t >= question_.near &&
+                     !isCutOut(triangle, meeting.u, meeting.v);
+    // Texture filtering decides the edge of a cutout, and has no error bound.
+    const bool certain =
+        meeting.certain() && std::abs(meeting.t - question_.near) > meeting.tError &&
+        question_.scene->materials[triangle.material].alphaMode == AlphaMode::opaque;
+    if (!hit && certain) return std::nullopt;
+    return Sighting{{i, hit ? meeting.t : infinity, meeting.tError}, certain};
 }
 
-Oracle::Checked Oracle::checkedAt(double x, double y) const {
+Oracle::First Oracle::firstAt(double x, double y) const {
+    const PixelRay ray = pixelRay(question_, x, y);
     Hit nearest{0, infinity, 0.0};
     double second = infinity; // least possible depth of another surface
     bool certain = true;
-    visitSurfaces(pixelRay(question_, x, y), [&](const Hit& hit, bool sure) {
-        certain = certain && sure;
-        const bool closer = hit.depth < nearest.depth;
-        const Hit& farther = closer ? nearest : hit;
-        second = std::min(second, farther.depth - farther.error);
-        if (closer) nearest = hit;
+    surfaces_->tree.visitInOrder(ray.origin, ray.direction, [&](std::uint32_t i) {
+        if (const std::optional<Sighting> seen = sightingOf(i, ray)) {
+            const Hit& hit = seen->hit;
+            certain = certain && seen->certain;
+            const bool closer =
+                hit.depth < nearest.depth || (hit.depth == nearest.depth && i < nearest.triangle);
+            const Hit& farther = closer ? nearest : hit;
+            second = std::min(second, farther.depth - farther.error);
+            if (closer) nearest = hit;
+        }
+        return nearest.depth + nearest.error;
     });
-    if (!std::isfinite(nearest.depth)) return {{}, certain};
-    Checked checked = checkedOn(nearest, x, y);
-    checked.certain = checked.certain && certain && nearest.depth + nearest.error < second;
+    if (!std::isfinite(nearest.depth)) return {std::nullopt, certain};
+    return {nearest, certain && nearest.depth + nearest.error < second};
+}
+
+Oracle::Checked Oracle::checkedAt(double x, double y) const {
+    const First first = firstAt(x, y);
+    if (!first.hit) return {{}, first.certain};
+    Checked checked = checkedOn(*first.hit, x, y);
+    checked.certain = checked.certain && first.certain;
     return checked;
 }
 
 std::vector<Oracle::Hit> Oracle::surfacesAt(double x, double y) const {
+    const PixelRay ray = pixelRay(question_, x, y);
     std::vector<Hit> hits;
-    visitSurfaces(pixelRay(question_, x, y), [&](const Hit& hit, bool) {
-        if (std::isfinite(hit.depth)) hits.push_back(hit);
+    surfaces_->tree.visit(ray.origin, ray.direction, infinity, [&](std::uint32_t i) {
+        const std::optional<Sighting> seen = sightingOf(i, ray);
+        if (seen && std::isfinite(seen->hit.depth)) hits.push_back(seen->hit);
+        return false;
     });
     return hits;
 }
 
 Oracle::Checked Oracle::checkedOn(const Hit& hit, double x, double y) const {
-    const EyeTriangle& surface = triangles_[hit.triangle];
+    const SurfaceTriangle& surface = triangles()[hit.triangle];
     const PixelRay ray = pixelRay(question_, x, y);
     const glm::dvec3 point = ray.at(hit.depth);
     const double pointError = (hit.error + rounding * hit.depth) * magnitude(ray.direction) +
@@ -364,8 +299,8 @@ bool Oracle::isBlocked(std::uint32_t own, const glm::dvec3& point, double pointE
     const bool isDirectional = light.w == 0.0;
     const double directionError = isDirectional ? 0.0 : rounding * magnitude(glm::dvec3(light));
     bool blocked = false, surelyBlocked = false, sure = true;
-    tree_->traverse(point, towards, isDirectional ? infinity : 1.0, [&](std::uint32_t i) {
-        const EyeTriangle& other = triangles_[i];
+    surfaces_->tree.visit(point, towards, isDirectional ? infinity : 1.0, [&](std::uint32_t i) {
+        const SurfaceTriangle& other = triangles()[i];
         if (i == own || !blocks(i, lightIndex)) return false;
         const Meeting meeting = intersect(other, point, pointError + directionError, towards);
         const bool between = meeting.t > 0.0 && (isDirectional || meeting.t < 1.0);
@@ -377,9 +312,9 @@ bool Oracle::isBlocked(std::uint32_t own, const glm::dvec3& point, double pointE
             sure = false; // texture filtering decides a cutout's edge
             return false;
         }
-        if (isNearlyCoplanar(triangles_[own], other)) {
+        if (isNearlyCoplanar(triangles()[own], other)) {
             sure = false;
-            blocked = blocked || !isCoplanar(triangles_[own], other);
+            blocked = blocked || !isCoplanar(triangles()[own], other);
             return false;
         }
         blocked = true;
@@ -393,7 +328,7 @@ bool Oracle::isBlocked(std::uint32_t own, const glm::dvec3& point, double pointE
 std::vector<std::uint32_t> Oracle::candidates(const glm::dvec3& origin, const glm::dvec3& direction,
                                               bool segment) const {
     std::vector<std::uint32_t> found;
-    tree_->traverse(origin, direction, segment ? 1.0 : infinity, [&](std::uint32_t i) {
+    surfaces_->tree.visit(origin, direction, segment ? 1.0 : infinity, [&](std::uint32_t i) {
         found.push_back(i);
         return false;
     });
@@ -402,10 +337,10 @@ std::vector<std::uint32_t> Oracle::candidates(const glm::dvec3& origin, const gl
 
 bool Oracle::isOpen(std::span<const std::uint32_t> own, const glm::dvec3& direction) const {
     bool blocked = false;
-    tree_->traverse(glm::dvec3(0.0), direction, infinity, [&](std::uint32_t i) {
-        const EyeTriangle& other = triangles_[i];
+    surfaces_->tree.visit(glm::dvec3(0.0), direction, infinity, [&](std::uint32_t i) {
+        const SurfaceTriangle& other = triangles()[i];
         const auto isBeneath = [&](std::uint32_t surface) {
-            return surface == i || isNearlyCoplanar(triangles_[surface], other);
+            return surface == i || isNearlyCoplanar(triangles()[surface], other);
         };
         if (!other.casts || std::ranges::any_of(own, isBeneath)) return false;
         const Meeting meeting = intersect(other, glm::dvec3(0.0), 0.0, direction);

@@ -1,17 +1,21 @@
 #pragma once
 
-#include "src/lab/eye_triangles.hpp"
 #include "src/lab/light_set.hpp"
+#include "src/rays/surface_set.hpp"
+#include "src/rays/surface_triangles.hpp"
 #include "src/shadow/lights/light.hpp"
 #include "src/shadow/view/frustum.hpp"
 
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace edgeshade::lab {
+
+using rays::SurfaceTriangle;
 
 /// The oracle's answer for a pixel: no surface, or a surface and the lights that reach it.
 struct Answer {
@@ -55,12 +59,12 @@ PixelRay pixelRay(const Question& question, double x, double y);
 /// Alpha of alpha-tested surfaces, from the owner of the textures.
 struct AlphaLookup {
     /// Alpha at barycentric coordinates (u, v) of b and c.
-    std::function<float(const EyeTriangle&, double u, double v)> at;
+    std::function<float(const SurfaceTriangle&, double u, double v)> at;
 
     /// The lowest and the highest alpha that a device's texture filter may produce at a pixel: GLES
     /// 2 leaves the choice of mipmap levels open (2.0.25, 3.7.7). `places`: the coordinates at the
     /// pixel's centre, one pixel to the right and one below. Null: use `at`.
-    std::function<glm::vec2(const EyeTriangle&, const std::array<glm::dvec2, 3>& places)> range;
+    std::function<glm::vec2(const SurfaceTriangle&, const std::array<glm::dvec2, 3>& places)> range;
 };
 
 /// Decides what is lit by casting rays, as defined in docs/method.md, C30. Embree in robust mode
@@ -71,7 +75,6 @@ class Oracle {
   public:
     /// Throws Error(unavailable) if the program was built without Embree.
     Oracle(const Question& question, const AlphaLookup& alpha);
-    ~Oracle();
     Oracle(const Oracle&) = delete;
     Oracle& operator=(const Oracle&) = delete;
 
@@ -92,6 +95,14 @@ class Oracle {
     Answer at(double x, double y) const { return checkedAt(x, y).answer; }
     Checked checkedAt(double x, double y) const;
 
+    /// The first visible surface on the ray of a picture point, of surfaces at one depth the first
+    /// triangle; and whether rounding certainly did not change it. Null: the ray meets none.
+    struct First {
+        std::optional<Hit> hit;
+        bool certain = true;
+    };
+    First firstAt(double x, double y) const;
+
     /// All visible surfaces on the ray of a picture point, as if none hid another.
     std::vector<Hit> surfacesAt(double x, double y) const;
 
@@ -111,14 +122,20 @@ class Oracle {
     bool isOpen(std::span<const std::uint32_t> own, const glm::dvec3& direction) const;
 
     const Question& question() const { return question_; }
-    const std::vector<EyeTriangle>& triangles() const { return triangles_; }
-    bool isCutOut(const EyeTriangle& triangle, double u, double v) const;
+    const std::vector<SurfaceTriangle>& triangles() const { return surfaces_->triangles; }
+    /// The triangles, for other rays.
+    const std::shared_ptr<const rays::SurfaceSet>& surfaces() const { return surfaces_; }
+    bool isCutOut(const SurfaceTriangle& triangle, double u, double v) const;
     /// Whether light passes through the triangle at these coordinates.
-    bool isHole(const EyeTriangle& triangle, double u, double v) const;
+    bool isHole(const SurfaceTriangle& triangle, double u, double v) const;
+
+    /// The same where the line from `origin` meets the triangle.
+    bool isHoleAt(std::uint32_t triangle, const glm::dvec3& origin,
+                  const glm::dvec3& direction) const;
 
     /// Whether the texture filter may decide if the triangle is cut out at a picture point, at a
     /// depth of at most `depth`.
-    bool isCutOutByFilter(const EyeTriangle& triangle, double x, double y, double depth) const;
+    bool isCutOutByFilter(const SurfaceTriangle& triangle, double x, double y, double depth) const;
 
     /// Whether a triangle blocks that light: it casts, and the light doesn't touch it
     /// (docs/method.md, C47).
@@ -132,17 +149,19 @@ class Oracle {
     const glm::dvec4& eye() const { return eye_; }
     /// The side of the triangle that the eye is on, by the order of its corners; the value is
     /// normalOf()'s length times a distance, or times a direction of length 1.
-    double eyeSide(const EyeTriangle& triangle) const;
+    double eyeSide(const SurfaceTriangle& triangle) const;
     /// The light's range; infinite for directional lights.
     double rangeOf(std::size_t light) const;
     /// The light's cone; null if it has none.
     const Cone* coneOf(std::size_t light) const;
 
   private:
-    struct Tree; ///< Embree's tree
-
-    void visitSurfaces(const PixelRay& ray,
-                       const std::function<void(const Hit&, bool certain)>& visit) const;
+    /// A visible triangle that a line of sight may meet: depth is infinite if it doesn't.
+    struct Sighting {
+        Hit hit;
+        bool certain; ///< whether it is met, certainly
+    };
+    std::optional<Sighting> sightingOf(std::uint32_t triangle, const PixelRay& ray) const;
     Checked checkedOn(const Hit& hit, double x, double y) const;
     bool isBlocked(std::uint32_t own, const glm::dvec3& point, double pointError, std::size_t light,
                    bool& certain) const;
@@ -155,8 +174,7 @@ class Oracle {
     glm::dvec3 position_; ///< of the camera
     glm::dvec4 eye_;
     AlphaLookup alpha_;
-    std::vector<EyeTriangle> triangles_;
-    std::unique_ptr<Tree> tree_;
+    std::shared_ptr<const rays::SurfaceSet> surfaces_;
     std::vector<std::vector<glm::dvec4>> lightInBatch_; ///< by light and batch
     std::vector<std::vector<std::uint32_t>> touched_;   ///< by light, ascending
 };

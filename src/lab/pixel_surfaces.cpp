@@ -1,6 +1,7 @@
 #include "src/lab/pixel_surfaces.hpp"
 
 #include "src/lab/all_pixels.hpp"
+#include "src/lab/exact_judge.hpp"
 
 #include <algorithm>
 
@@ -8,21 +9,20 @@ namespace edgeshade::lab {
 namespace {
 
 PixelSurface surfaceAt(const Oracle& oracle, double x, double y) {
-    const std::vector<Oracle::Hit> hits = oracle.surfacesAt(x, y);
-    if (hits.empty()) return {};
-    // Takes the first of coinciding surfaces, as drawing does.
-    const auto nearest =
-        std::min_element(hits.begin(), hits.end(), [](const auto& a, const auto& b) {
-            return std::pair(a.depth, a.triangle) < std::pair(b.depth, b.triangle);
-        });
-    return {nearest->triangle,
-            footprintArea(oracle.question(), oracle.triangles()[nearest->triangle],
-                          pixelRay(oracle.question(), x, y), nearest->depth)};
+    const auto seen = [&](std::uint32_t triangle, double depth) -> PixelSurface {
+        return {triangle, footprintArea(oracle.question(), oracle.triangles()[triangle],
+                                        pixelRay(oracle.question(), x, y), depth)};
+    };
+    const Oracle::First first = oracle.firstAt(x, y);
+    if (first.certain)
+        return first.hit ? seen(first.hit->triangle, first.hit->depth) : PixelSurface();
+    const std::optional<ExactSurface> exact = surfaceExactly(oracle, x, y);
+    return exact ? seen(exact->triangle, exact->depth) : PixelSurface();
 }
 
 } // namespace
 
-double footprintArea(const Question& question, const EyeTriangle& triangle, const PixelRay& ray,
+double footprintArea(const Question& question, const SurfaceTriangle& triangle, const PixelRay& ray,
                      double depth) {
     const glm::dvec2 window = question.frustum.size();
     const double pixel =

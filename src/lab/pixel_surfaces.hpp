@@ -20,10 +20,11 @@ inline constexpr double leastCosine = 0.01;
 /// The area of the triangle's plane that a pixel shows, in scene units squared, if its ray meets
 /// the triangle at that depth. It is the pixel's solid angle, or an orthographic picture's pixel,
 /// projected onto the plane.
-double footprintArea(const Question& question, const EyeTriangle& triangle, const PixelRay& ray,
+double footprintArea(const Question& question, const SurfaceTriangle& triangle, const PixelRay& ray,
                      double depth);
 
-/// The surfaces of all pixels, rows top to bottom, on all cores. `progress` receives the
+/// The surfaces of all pixels, rows top to bottom, on all cores; exact, as by surfaceExactly(), but
+/// for cutouts. `progress` receives the
 /// share done, from one thread.
 std::vector<PixelSurface> pixelSurfaces(const Oracle& oracle,
                                         const std::function<void(double)>& progress);

@@ -14,7 +14,7 @@ constexpr double onPlane = 4e-7;
 constexpr double sameFacing = 0.99;
 
 /// Whether the origin lies on the triangle; `reach`: the size of coordinates nearby.
-bool isTouched(const EyeTriangle& triangle, double reach) {
+bool isTouched(const SurfaceTriangle& triangle, double reach) {
     const glm::dvec3 normal = normalOf(triangle);
     const double area = glm::length(normal);
     if (area == 0.0) return false;
@@ -40,13 +40,13 @@ std::vector<bool> seenFrom(const LoadedScene& loaded, const AlphaLookup& alpha,
     question.cutoutsCast = loaded.cutoutsCast;
     question.frustum.viewFromWorld = glm::translate(glm::dmat4(1.0), -point);
     const Oracle oracle(question, alpha);
-    const std::vector<EyeTriangle>& triangles = oracle.triangles();
+    const std::vector<SurfaceTriangle>& triangles = oracle.triangles();
 
     const glm::dvec3 size = glm::abs(point);
     const double farthest = std::max({size.x, size.y, size.z});
     std::vector<std::uint32_t> own;
     for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-        const EyeTriangle& triangle = triangles[i];
+        const SurfaceTriangle& triangle = triangles[i];
         const double extent =
             std::max({glm::length(triangle.a), glm::length(triangle.b), glm::length(triangle.c)});
         if (!isTouched(triangle, std::max(farthest, extent))) continue;

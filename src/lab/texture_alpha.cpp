@@ -78,7 +78,7 @@ class AlphaTexture {
 /// The material and texture coordinates of a triangle's surface.
 class AlphaSurface {
   public:
-    AlphaSurface(const Scene& scene, const EyeTriangle& triangle)
+    AlphaSurface(const Scene& scene, const SurfaceTriangle& triangle)
         : material_(scene.materials[triangle.material]), triangle_(triangle) {}
 
     const Material& material() const { return material_; }
@@ -105,7 +105,7 @@ class AlphaSurface {
     }
 
     const Material& material_;
-    const EyeTriangle& triangle_;
+    const SurfaceTriangle& triangle_;
 };
 
 } // namespace
@@ -118,7 +118,7 @@ AlphaLookup textureAlpha(const LoadedScene& loaded) {
             images->emplace(image, pixelsOf(loaded, image));
     const Scene* scene = &loaded.scene;
     AlphaLookup lookup;
-    lookup.at = [images, scene](const EyeTriangle& triangle, double u, double v) {
+    lookup.at = [images, scene](const SurfaceTriangle& triangle, double u, double v) {
         const AlphaSurface surface(*scene, triangle);
         const float factor = surface.factor({u, v});
         const auto image = images->find(surface.material().baseColor().image);
@@ -126,7 +126,7 @@ AlphaLookup textureAlpha(const LoadedScene& loaded) {
         const AlphaTexture texture(*image->second, surface.material().baseColor().sampler);
         return factor * texture.at(surface.texcoord({u, v}) * texture.size());
     };
-    lookup.range = [images, scene](const EyeTriangle& triangle,
+    lookup.range = [images, scene](const SurfaceTriangle& triangle,
                                    const std::array<glm::dvec2, 3>& places) {
         const AlphaSurface surface(*scene, triangle);
         const float factor = surface.factor(places[0]);

@@ -22,7 +22,7 @@ std::array<glm::dvec2, 8> movedPoints(const glm::dvec2& center, double grid) {
 /// The largest change of a hit's depth when its triangle's plane is met one grid step aside.
 double depthChange(const Oracle& oracle, const Oracle::Hit& hit, const glm::dvec2& at,
                    double grid) {
-    const EyeTriangle& triangle = oracle.triangles()[hit.triangle];
+    const SurfaceTriangle& triangle = oracle.triangles()[hit.triangle];
     const glm::dvec3 normal = normalOf(triangle);
     const double offset = glm::dot(normal, triangle.a);
     double change = 0.0;
@@ -38,7 +38,7 @@ double depthChange(const Oracle& oracle, const Oracle::Hit& hit, const glm::dvec
 }
 
 /// Whether the triangle's facing could change if its corners moved to the grid.
-bool couldTurn(const Oracle& oracle, const EyeTriangle& triangle, const glm::dvec4& light,
+bool couldTurn(const Oracle& oracle, const SurfaceTriangle& triangle, const glm::dvec4& light,
                double grid) {
     const Question& question = oracle.question();
     const double pixel = question.frustum.size().y / question.height;
@@ -63,7 +63,7 @@ std::optional<Oracle::Hit> visibleAt(const Oracle& oracle, const glm::dvec2& at)
     return nearest == hits.end() ? std::nullopt : std::optional(*nearest);
 }
 
-bool shareEdge(const EyeTriangle& first, const EyeTriangle& second) {
+bool shareEdge(const SurfaceTriangle& first, const SurfaceTriangle& second) {
     int shared = 0;
     for (const glm::dvec3& p : {first.a, first.b, first.c})
         for (const glm::dvec3& q : {second.a, second.b, second.c})
@@ -71,7 +71,7 @@ bool shareEdge(const EyeTriangle& first, const EyeTriangle& second) {
     return shared >= 2;
 }
 
-double lightSide(const Oracle& oracle, const EyeTriangle& triangle, const glm::dvec4& light) {
+double lightSide(const Oracle& oracle, const SurfaceTriangle& triangle, const glm::dvec4& light) {
     return oracle.eyeSide(triangle) *
            glm::dot(normalOf(triangle), glm::dvec3(light) - triangle.a * light.w);
 }
@@ -81,8 +81,8 @@ double lightSide(const Oracle& oracle, const EyeTriangle& triangle, const glm::d
 /// volume begins between them.
 bool silhouetteBetween(const Oracle& oracle, const Oracle::Hit& here, const glm::dvec2& center,
                        const Oracle::Hit& there, const glm::dvec2& moved, double grid) {
-    const EyeTriangle& first = oracle.triangles()[here.triangle];
-    const EyeTriangle& second = oracle.triangles()[there.triangle];
+    const SurfaceTriangle& first = oracle.triangles()[here.triangle];
+    const SurfaceTriangle& second = oracle.triangles()[there.triangle];
     if (!shareEdge(first, second)) return true;
     const double reach =
         depthChange(oracle, here, center, grid) + depthChange(oracle, there, moved, grid);

@@ -1,26 +1,30 @@
-// sun_rays SCENE REPORT WIDTH HEIGHT: time for `sunhours` to count its positions, and for Embree to
-// trace them. REPORT comes from `sunhours` for a picture of that size. Prints JSON, in seconds of
-// several turns, one after another:
-// {"upload_s": [..], "count_s": [..], "tree_s": [..], "rays_s": [..], "rays": .., "lit_by_count":
-// .., "lit_by_rays": ..}.
+// sun_rays SCENE REPORT WIDTH HEIGHT: the processor's time for masks to count the positions of
+// `sunhours`, for Embree to trace them, and for src/rays to do so without rounding. REPORT comes
+// from `sunhours` for a picture of that size. Prints JSON, in seconds of all threads together, of
+// several turns, one after another: {"rays": .., "upload_s": [..], "count_s": [..], "tree_s": [..],
+// "rays_s":
+// [..], "certified_tree_s": [..], "certified_rays_s": [..], "lit_by_count": .., "lit_by_rays": ..,
+// "lit_by_certified_rays": ..}.
 //
 // Embree traces one occlusion ray for each visible pixel and sun position, eight pixels at once,
 // flagged as coherent, on all cores; the rays' origins are found beforehand. Its answers are in
-// floats, unlike the oracle's.
+// floats. Certified rays are those of sunhours, in its order of pixels.
 #include "src/gl/headless_context.hpp"
-#include "src/lab/pixel_surfaces.hpp"
+#include "src/lab/sun_counts.hpp"
 #include "src/lab/texture_alpha.hpp"
+#include "src/rays/embree.hpp"
+#include "src/rays/surface_set.hpp"
 #include "src/render/accumulation/direction_counts.hpp"
 
 #include "preprocess/base/parallel.hpp"
-#include "preprocess/base/stopwatch.hpp"
 
-#include <embree3/rtcore.h>
+#include <ctime>
 #include <fstream>
 #include <glm/gtc/type_ptr.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <utility>
 
 using namespace edgeshade;
 using Json = nlohmann::ordered_json;
@@ -51,17 +55,17 @@ Frustum frustumOf(const Json& camera, double aspect) {
 }
 
 /// The surface point of each pixel that shows one.
-std::vector<Place> placesOf(const lab::Oracle& oracle) {
+std::vector<Place> placesOf(const lab::Oracle& oracle,
+                            const std::vector<lab::PixelSurface>& surfaces) {
     const lab::Question& question = oracle.question();
-    const std::vector<lab::PixelSurface> surfaces = lab::pixelSurfaces(oracle, {});
     std::vector<Place> places;
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
         if (surfaces[i].area == 0.0) continue;
         const auto width = static_cast<std::size_t>(question.width);
         const lab::PixelRay ray = lab::pixelRay(question, static_cast<double>(i % width) + 0.5,
                                                 static_cast<double>(i / width) + 0.5);
-        const lab::EyeTriangle& triangle = oracle.triangles()[surfaces[i].triangle];
-        const glm::dvec3 normal = lab::normalOf(triangle);
+        const rays::SurfaceTriangle& triangle = oracle.triangles()[surfaces[i].triangle];
+        const glm::dvec3 normal = rays::normalOf(triangle);
         const double depth =
             glm::dot(normal, triangle.a - ray.origin) / glm::dot(normal, ray.direction);
         const double side = oracle.eyeSide(triangle) < 0.0 ? -1.0 : 1.0;
@@ -73,10 +77,10 @@ std::vector<Place> placesOf(const lab::Oracle& oracle) {
 /// Embree's tree of the casters, built for speed only.
 class Tree {
   public:
-    explicit Tree(const std::vector<lab::EyeTriangle>& triangles)
+    explicit Tree(const std::vector<rays::SurfaceTriangle>& triangles)
         : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_)) {
         std::vector<glm::vec3> corners;
-        for (const lab::EyeTriangle& triangle : triangles)
+        for (const rays::SurfaceTriangle& triangle : triangles)
             if (triangle.casts)
                 for (const glm::dvec3& corner : {triangle.a, triangle.b, triangle.c})
                     corners.push_back(glm::vec3(corner));
@@ -104,28 +108,27 @@ class Tree {
     /// Number of up to eight places that a light from a direction of length 1 reaches.
     std::size_t lit(std::span<const Place> places, const glm::vec3& direction, float offset) const {
         alignas(32) int valid[packet] = {};
-        RTCRay8 rays;
+        RTCRay8 traced;
         for (std::size_t i = 0; i < places.size(); ++i) {
             const glm::vec3 from = places[i].point + offset * places[i].normal;
             valid[i] = -1;
-            rays.org_x[i] = from.x;
-            rays.org_y[i] = from.y;
-            rays.org_z[i] = from.z;
-            rays.dir_x[i] = direction.x;
-            rays.dir_y[i] = direction.y;
-            rays.dir_z[i] = direction.z;
-            rays.tnear[i] = rays.time[i] = 0.0f;
-            rays.tfar[i] = std::numeric_limits<float>::infinity();
-            rays.mask[i] = ~0u;
-            rays.flags[i] = 0;
+            traced.org_x[i] = from.x;
+            traced.org_y[i] = from.y;
+            traced.org_z[i] = from.z;
+            traced.dir_x[i] = direction.x;
+            traced.dir_y[i] = direction.y;
+            traced.dir_z[i] = direction.z;
+            traced.tnear[i] = traced.time[i] = 0.0f;
+            traced.tfar[i] = std::numeric_limits<float>::infinity();
+            traced.mask[i] = ~0u;
+            traced.flags[i] = 0;
         }
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-        rtcOccluded8(valid, scene_, &context, &rays);
+        rays::embree::Context context;
+        rays::embree::init(context);
+        rays::embree::occluded(scene_, context, valid, traced);
         std::size_t count = 0;
         for (std::size_t i = 0; i < places.size(); ++i)
-            count += rays.tfar[i] > 0.0f && glm::dot(places[i].normal, direction) > 0.0f ? 1 : 0;
+            count += traced.tfar[i] > 0.0f && glm::dot(places[i].normal, direction) > 0.0f ? 1 : 0;
         return count;
     }
 
@@ -180,25 +183,38 @@ int main(int count, char** words) {
     question.width = request.width;
     question.height = request.height;
     const lab::Oracle oracle(question, lab::textureAlpha(loaded));
-    const std::vector<Place> places = placesOf(oracle);
+    const std::vector<lab::PixelSurface> surfaces = lab::pixelSurfaces(oracle, {});
+    const std::vector<Place> places = placesOf(oracle, surfaces);
     const auto offset = clear * static_cast<float>(glm::length(bounds.high - bounds.low));
 
     const gl::HeadlessContext context({request.width, request.height, 0, gl::Limits::device});
     RenderSettings settings;
     settings.layout = bestLayout(context.capabilities());
     Json told = {{"rays", places.size() * directions.size()}};
+    std::clock_t began = std::clock();
+    const auto lap = [&began] {
+        const std::clock_t now = std::clock();
+        return static_cast<double>(now - std::exchange(began, now)) / CLOCKS_PER_SEC;
+    };
     for (int turn = 0; turn < turns; ++turn) {
-        Stopwatch watch;
+        lap();
         Renderer renderer(settings, context.capabilities());
         GpuScene scene = uploadScene(loaded, settings.records(), context.capabilities());
-        told["upload_s"].push_back(watch.lap());
+        told["upload_s"].push_back(lap());
         const LitCounts counts = countDirections(loaded, request, directions, renderer, scene,
                                                  context.capabilities(), [](double) {});
-        told["count_s"].push_back(watch.lap());
+        told["count_s"].push_back(lap());
         const Tree tree(oracle.triangles());
-        told["tree_s"].push_back(watch.lap());
+        told["tree_s"].push_back(lap());
         told["lit_by_rays"] = litOf(tree, places, directions, offset);
-        told["rays_s"].push_back(watch.lap());
+        told["rays_s"].push_back(lap());
+        const rays::SurfaceSet set(oracle.triangles());
+        told["certified_tree_s"].push_back(lap());
+        const std::vector<std::uint16_t> certified =
+            lab::litCounts(oracle, surfaces, directions, [](double) {});
+        told["certified_rays_s"].push_back(lap());
+        told["lit_by_certified_rays"] =
+            std::accumulate(certified.begin(), certified.end(), std::size_t{0});
         told["lit_by_count"] =
             std::accumulate(counts.lit.begin(), counts.lit.end(), std::size_t{0});
     }

@@ -160,9 +160,63 @@ class SunHours : public testing::Test {
 TEST_F(SunHours, OfABoxOnAPlaneAreThoseWorkedOutByHand) {
     const std::vector<Block> blocks = {{{-0.5, 0.0, -0.5}, {0.5, 3.0, 0.5}}};
     const std::string scene = withBlocks("box.glb", blocks);
-    for (const char* north : {"0", "35"}) {
-        ASSERT_EQ(run(scene, fromAbove + Words{"--north", north}).status, 0);
-        expectHoursByHand(blocks);
+    for (const char* way : {"rays", "masks"})
+        for (const char* north : {"0", "35"}) {
+            ASSERT_EQ(run(scene, fromAbove + Words{"--north", north, "--by", way}).status, 0);
+            EXPECT_EQ(report()["settings"]["by"], way);
+            expectHoursByHand(blocks);
+        }
+}
+
+TEST_F(SunHours, OfAStreetCanyonAreThoseWorkedOutByHand) {
+    // A street of two rows of houses, and a bridge across it.
+    const std::vector<Block> houses = {
+        {{-4, 0, -7}, {-2, 5, 7}}, {{2, 0, -7}, {4, 3, 7}}, {{-2, 2.5, -0.27}, {2, 3, 0.27}}};
+    const std::string scene = withBlocks("street.glb", houses);
+    for (const char* way : {"rays", "masks"}) {
+        ASSERT_EQ(run(scene, fromAbove + Words{"--north", "20", "--step", "5", "--by", way}).status,
+                  0);
+        expectHoursByHand(houses);
+    }
+}
+
+TEST_F(SunHours, SayHowTheyAreCountedAndWhy) {
+    const std::string scene = withBlocks("box.glb", {{{-0.5, 0, -0.5}, {0.5, 3, 0.5}}});
+    const auto way = [&](const Words& more) {
+        const ProcessResult result = run(scene, Words{"--size", "60x40", "--step", "60"} + more);
+        EXPECT_EQ(result.status, 0) << result.err;
+        const Json settings = report()["settings"];
+        return settings["by"].get<std::string>() + ", " + settings["by-reason"].get<std::string>();
+    };
+    EXPECT_EQ(way({"--by", "rays"}), "rays, --by");
+    EXPECT_EQ(way({"--by", "masks"}), "masks, --by");
+    EXPECT_EQ(way({"--caster-error", "0.01"}), "masks, --caster-error");
+    EXPECT_EQ(way({"--gl-limits", "es2-minimum"}), "masks, --gl-limits");
+    EXPECT_EQ(way({"--cast-cutouts"}), "rays, masks count no cutouts");
+    const std::string automatic = way({});
+    EXPECT_TRUE(automatic == "rays, the processor draws" || automatic == "masks, hardware draws")
+        << automatic;
+}
+
+// A section through a box lets the sun into it; its walls still shade.
+TEST_F(SunHours, OfCutScenesAreCountedByRaysAsByMasks) {
+    const std::string scene = withBlocks("box.glb", {{{-2, 0, -2}, {2, 3, 2}}});
+    for (const char* shadows : {"cut", "whole"}) {
+        std::array<double, 2> mean{};
+        std::array<Json, 2> found;
+        for (std::size_t i = 0; i < 2; ++i) {
+            ASSERT_EQ(
+                run(scene, Words{"--size", "150x100", "--step", "60", "--section", "0,-1,0,1.5",
+                                 "--section-shadows", shadows, "--by", i == 0 ? "rays" : "masks"})
+                    .status,
+                0);
+            found[i] = report();
+            mean[i] = found[i]["hours"]["mean"].get<double>();
+        }
+        EXPECT_NEAR(mean[0], mean[1], 0.01);
+        ASSERT_EQ(found[0]["by_node"].size(), 3u); // with the cut face
+        for (std::size_t n = 0; n < 3; ++n)
+            EXPECT_EQ(found[0]["by_node"][n]["name"], found[1]["by_node"][n]["name"]);
     }
 }
 
@@ -173,8 +227,13 @@ TEST_F(SunHours, OfACourtyardAreThoseWorkedOutByHand) {
                                       {{-4, 0, -3}, {-3, 2, 3}},
                                       {{3, 0, -3}, {4, 2, 3}}};
     const std::string scene = withBlocks("court.glb", walls);
-    ASSERT_EQ(run(scene, fromAbove + Words{"--at", "0,0,0,0,1,0", "--at", "0,2,3.5"}).status, 0);
-    expectHoursByHand(walls);
+    for (const char* way : {"masks", "rays"}) {
+        ASSERT_EQ(
+            run(scene, fromAbove + Words{"--at", "0,0,0,0,1,0", "--at", "0,2,3.5", "--by", way})
+                .status,
+            0);
+        expectHoursByHand(walls);
+    }
 
     // The court's middle sees the sun above the wall: over 3 / max(|sin|, |cos|) of ground.
     std::size_t above = 0;
@@ -291,7 +350,7 @@ TEST_F(SunHours, PartsBecomeTheWholeByteForByte) {
     EXPECT_EQ(readFile(folder_ / "m.json"), readFile(folder_ / "report.json"));
     EXPECT_EQ(report()["days"], 3);
 
-    // A part of another scene, a missing part, an invalid one.
+    // A part of another scene, one counted another way, a missing part, an invalid one.
     const TempFolder other;
     ASSERT_EQ(
         runEdgeshade(Words{"sunhours", lawn(), other / "part3", "--part", "3/5"} + days).status, 0);
@@ -304,6 +363,15 @@ TEST_F(SunHours, PartsBecomeTheWholeByteForByte) {
     Words mixed = parts;
     mixed[0] = other / "part3";
     refuses(mixed, "not parts of one run");
+    const std::string otherWay = report()["settings"]["by"] == "rays" ? "masks" : "rays";
+    ASSERT_EQ(
+        runEdgeshade(Words{"sunhours", scene, other / "part1", "--part", "1/5", "--by", otherWay} +
+                     days)
+            .status,
+        0);
+    mixed[0] = parts[0];
+    mixed[1] = other / "part1";
+    refuses(mixed, "settings.by");
     refuses(Words(parts.begin() + 1, parts.end()), "part 3 is missing");
     refuses(parts + Words{parts[1]}, "already");
     refuses({folder_ / "out.png"}, "not a part of a sunhours run");
@@ -343,7 +411,12 @@ TEST_F(SunHours, BadUsageIsOneSentence) {
         {equinox + Words{"--part", "0/3"}, "0/3"},
         {equinox + Words{"--part", "1/2", "--counts", "c.png"}, "--counts"},
         {equinox + Words{"--sun", "0,1,0"}, "--sun"},
-        {equinox + Words{"--cast-cutouts"}, "--cast-cutouts"},
+        {equinox + Words{"--by", "light"}, "light"},
+        {equinox + Words{"--by", "masks", "--cast-cutouts"}, "--cast-cutouts"},
+        {equinox + Words{"--by", "rays", "--caster-error", "1"}, "--caster-error"},
+        {equinox + Words{"--by", "rays", "--weld-tolerance", "auto"}, "--weld-tolerance"},
+        {equinox + Words{"--by", "rays", "--flat-tolerance", "1"}, "--flat-tolerance"},
+        {equinox + Words{"--by", "rays", "--gl-limits", "es2-minimum"}, "--gl-limits"},
         {{"--place", "48,11", "--from", "2000-01-01", "--to", "2026-12-31"}, "65535"},
     };
     for (const Row& row : rows) {
@@ -388,7 +461,7 @@ TEST_F(SunHours, HelpNamesTheOptions) {
     for (const char* word :
          {"--place", "--date", "--from", "--to", "--step", "--hours", "--utc-offset",
           "--min-altitude", "--north", "--plan", "--counts", "--report", "--at", "--threshold",
-          "--preset", "--part", "--camera", "--size"})
+          "--preset", "--part", "--by", "--camera", "--size"})
         EXPECT_NE(help.out.find(word), std::string::npos) << word;
     EXPECT_EQ(help.out.find("--light "), std::string::npos);
     const ProcessResult merge = runEdgeshade({"sunhours-merge", "--help"});

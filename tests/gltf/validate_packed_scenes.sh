@@ -1,6 +1,6 @@
 #!/bin/sh
-# Packs every scene of the given folders with every encoding and runs Khronos' validator over the
-# results. Status 77: skipped, because the validator isn't installed.
+# Packs every scene of the given folders with every encoding, makes the mesh of sunhours --surfaces
+# of one, and runs Khronos' validator over the results. Status 77: skipped, because the validator isn't installed.
 #
 #   validate_packed_scenes.sh PROGRAM FOLDER_OF_THE_VALIDATOR FOLDER_OF_SCENES...
 set -eu
@@ -26,4 +26,8 @@ for scenes in "$@"; do
     done
   done
 done
+status=0
+"$program" sunhours "$1/pavilion.glb" "$folder/cells.glb" --surfaces --place 48.14,11.57 \
+  --date 2026-03-21 --step 60 > "$folder/log" 2>&1 || status=$?
+[ $status = 0 ] || [ $status = 3 ] || { cat "$folder/log"; exit 1; }
 node "$validator/validate_packed.mjs" "$folder"/*.glb

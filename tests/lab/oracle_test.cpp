@@ -15,7 +15,7 @@ using lab::Oracle;
 using test::pointLight;
 using test::SceneBuilder;
 
-const lab::AlphaLookup solid{[](const lab::EyeTriangle&, double, double) { return 1.0f; }, {}};
+const lab::AlphaLookup solid{[](const rays::SurfaceTriangle&, double, double) { return 1.0f; }, {}};
 
 lab::Question above(const Scene& scene, double half, int size, const Light& light) {
     lab::Question question;

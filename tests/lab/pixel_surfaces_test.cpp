@@ -54,7 +54,8 @@ TEST(PixelSurfaces, GrazingOnesDoNotGrowForEver) {
     Question question;
     question.scene = &wall;
     question.frustum = planView(wall, 1.0, 0.0);
-    const EyeTriangle triangle = eyeTriangles(wall, question.frustum, false, false).front();
+    const rays::SurfaceTriangle triangle =
+        rays::surfaceTriangles(wall, question.frustum, false, false).front();
     const PixelRay ray = pixelRay(question, 0.5, 0.5);
     const glm::dvec2 size = question.frustum.size();
     EXPECT_NEAR(footprintArea(question, triangle, ray, 1.0), size.x * size.y / leastCosine,

@@ -16,7 +16,7 @@ constexpr int nearest = 9728, linear = 9729, mipmapped = 9987;
 /// from 0 to 1.
 struct Fixture {
     LoadedScene loaded;
-    lab::EyeTriangle triangle{};
+    rays::SurfaceTriangle triangle{};
 
     explicit Fixture(const Sampler& sampler, int texels = 4) : texels_(texels) {
         Material material;

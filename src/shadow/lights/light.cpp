@@ -20,7 +20,11 @@ Light defaultLight() {
 }
 
 glm::dvec4 placeInObject(const Light& light, const glm::dmat4& worldFromObject) {
-    glm::dvec4 inObject = glm::inverse(worldFromObject) * light.position;
+    return placeByInverse(light, glm::inverse(worldFromObject));
+}
+
+glm::dvec4 placeByInverse(const Light& light, const glm::dmat4& objectFromWorld) {
+    glm::dvec4 inObject = objectFromWorld * light.position;
     if (light.position.w == 0.0) {
         // Keeps squares of it within the range of floats.
         inObject /= largestComponent(glm::dvec3(inObject));

@@ -74,6 +74,9 @@ Light defaultLight();
 /// component is 1 or -1, as only the direction matters. `worldFromObject` must be invertible.
 glm::dvec4 placeInObject(const Light& light, const glm::dmat4& worldFromObject);
 
+/// placeInObject() by the inverse of that matrix.
+glm::dvec4 placeByInverse(const Light& light, const glm::dmat4& objectFromWorld);
+
 /// placeInObject(), rounded once.
 glm::vec4 lightInObject(const Light& light, const glm::dmat4& worldFromObject);
 

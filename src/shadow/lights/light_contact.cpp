@@ -79,8 +79,7 @@ LightContact contactOf(const std::array<glm::dvec3, 3>& corners, const glm::dvec
     const glm::dvec3 normal = across / size;
     LightContact contact;
     if (light.w == 0.0) {
-        contact.grazes =
-            std::abs(glm::dot(normal, glm::dvec3(light))) <= LightContact::grazingSine * reach;
+        contact.grazes = grazesFrom(normal, glm::dvec3(light));
         return contact;
     }
     const glm::dvec3 place = glm::dvec3(light) / light.w;

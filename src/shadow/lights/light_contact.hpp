@@ -3,6 +3,7 @@
 #include "preprocess/base/box.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
@@ -30,6 +31,12 @@ struct LightContact {
 /// `mantissaBits`: of the device's floats.
 LightContact contactOf(const std::array<glm::dvec3, 3>& corners, const glm::dvec4& light,
                        int mantissaBits = 23);
+
+/// Whether a directional light grazes a triangle. `normal`: the triangle's, of length 1; `light`:
+/// towards the light, any length but 0. Both in the batch's space.
+inline bool grazesFrom(const glm::dvec3& normal, const glm::dvec3& light) {
+    return std::abs(glm::dot(normal, light)) <= LightContact::grazingSine * glm::length(light);
+}
 
 /// Whether a point light touches the triangle.
 inline bool touches(const std::array<glm::dvec3, 3>& corners, const glm::dvec4& light) {

@@ -1,16 +1,16 @@
-#include "src/lab/section_clip.hpp"
+#include "src/rays/section_clip.hpp"
 
 #include "preprocess/section/geometry_cut.hpp"
 
 #include <algorithm>
 
-namespace edgeshade::lab {
+namespace edgeshade::rays {
 namespace {
 
 struct Corner {
     glm::dvec3 at; ///< relative to the eye
     glm::dvec3 inBatch;
-    glm::dvec2 place; ///< see EyeTriangle::places
+    glm::dvec2 place; ///< see SurfaceTriangle::places
 };
 using Polygon = std::vector<Corner>;
 
@@ -34,7 +34,7 @@ Polygon above(const glm::dvec4& plane, const Polygon& polygon) {
 }
 
 /// Adds a convex polygon as a fan of triangles.
-void addFan(const Polygon& polygon, EyeTriangle like, std::vector<EyeTriangle>& to) {
+void addFan(const Polygon& polygon, SurfaceTriangle like, std::vector<SurfaceTriangle>& to) {
     like.isCut = true;
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
         like.a = polygon[0].at;
@@ -61,7 +61,8 @@ SectionClip::SectionClip(const Section& section, const glm::dmat4& worldFromBatc
         planes_.push_back(planeInBatch(plane, worldFromBatch));
 }
 
-void SectionClip::add(const EyeTriangle& triangle, bool solid, std::vector<EyeTriangle>& to) const {
+void SectionClip::add(const SurfaceTriangle& triangle, bool solid,
+                      std::vector<SurfaceTriangle>& to) const {
     const auto corners = cornersInBatch(triangle);
     Polygon kept = {{triangle.a, corners[0], triangle.places[0]},
                     {triangle.b, corners[1], triangle.places[1]},
@@ -76,7 +77,7 @@ void SectionClip::add(const EyeTriangle& triangle, bool solid, std::vector<EyeTr
         if (!bounds && std::ranges::none_of(kept, isBelow)) continue;
         isWhole = false;
         if (castsWhole_ && triangle.casts) {
-            EyeTriangle away = triangle;
+            SurfaceTriangle away = triangle;
             away.visible = false;
             addFan(bounds ? kept : above(-plane, kept), away, to);
         }
@@ -88,4 +89,4 @@ void SectionClip::add(const EyeTriangle& triangle, bool solid, std::vector<EyeTr
         addFan(kept, triangle, to);
 }
 
-} // namespace edgeshade::lab
+} // namespace edgeshade::rays

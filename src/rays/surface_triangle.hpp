@@ -5,11 +5,11 @@
 #include <array>
 #include <glm/glm.hpp>
 
-namespace edgeshade::lab {
+namespace edgeshade::rays {
 
-/// A triangle of the scene relative to one eye: world axes, origin at the eye, so that triangles
-/// near the eye keep their detail anywhere in the world.
-struct EyeTriangle {
+/// A triangle of the scene relative to one place, such as the eye: world axes, with the origin
+/// there, so that triangles nearby keep their detail anywhere in the world.
+struct SurfaceTriangle {
     glm::dvec3 a{0.0}, b{0.0}, c{0.0};
     std::uint32_t batch = 0;
     std::uint32_t firstIndex = 0; ///< of its corners, in Geometry::indices
@@ -26,17 +26,17 @@ struct EyeTriangle {
 
 /// Its corners in its batch's space: the scene's floats, or points between them where a section
 /// cuts it.
-std::array<glm::dvec3, 3> cornersInBatch(const EyeTriangle& triangle);
+std::array<glm::dvec3, 3> cornersInBatch(const SurfaceTriangle& triangle);
 
 /// Coordinates (u, v) of a triangle as those of the geometry's triangle.
-inline glm::dvec2 placeInGeometry(const EyeTriangle& triangle, const glm::dvec2& place) {
+inline glm::dvec2 placeInGeometry(const SurfaceTriangle& triangle, const glm::dvec2& place) {
     const auto& [a, b, c] = triangle.places;
     return a + place.x * (b - a) + place.y * (c - a);
 }
 
 /// Its normal, by the order of its corners; its length is twice the area.
-inline glm::dvec3 normalOf(const EyeTriangle& triangle) {
+inline glm::dvec3 normalOf(const SurfaceTriangle& triangle) {
     return glm::cross(triangle.b - triangle.a, triangle.c - triangle.a);
 }
 
-} // namespace edgeshade::lab
+} // namespace edgeshade::rays

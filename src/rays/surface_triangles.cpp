@@ -1,17 +1,17 @@
-#include "src/lab/eye_triangles.hpp"
+#include "src/rays/surface_triangles.hpp"
 
 #include "preprocess/section/solid_triangles.hpp"
-#include "src/lab/section_clip.hpp"
+#include "src/rays/section_clip.hpp"
 #include "src/shadow/view/visible_depth.hpp"
 
 #include <glm/gtc/matrix_transform.hpp>
 
-namespace edgeshade::lab {
+namespace edgeshade::rays {
 
 namespace {
 
 /// Whether the eye, homogeneous and relative to the frustum's position, is behind the triangle.
-bool isSeenFromBehind(const EyeTriangle& triangle, const glm::dvec4& eye, bool mirrored) {
+bool isSeenFromBehind(const SurfaceTriangle& triangle, const glm::dvec4& eye, bool mirrored) {
     const double side = glm::dot(normalOf(triangle), glm::dvec3(eye) - triangle.a * eye.w);
     return (mirrored ? -side : side) < 0.0;
 }
@@ -19,11 +19,11 @@ bool isSeenFromBehind(const EyeTriangle& triangle, const glm::dvec4& eye, bool m
 /// Collects a scene's triangles.
 class Collector {
   public:
-    Collector(const Scene& scene, const Frustum& frustum, bool castMasked, bool cutoutsCast)
-        : scene_(scene), position_(frustum.position()), castMasked_(castMasked),
+    /// `eye`: homogeneous, relative to `position`; null: triangles are seen from both sides.
+    Collector(const Scene& scene, const glm::dvec3& position, const std::optional<glm::dvec4>& eye,
+              bool castMasked, bool cutoutsCast)
+        : scene_(scene), position_(position), eye_(eye), castMasked_(castMasked),
           cutoutsCast_(cutoutsCast) {
-        const glm::dvec4 eye = frustum.eye();
-        eye_ = {glm::dvec3(eye) - position_ * eye.w, eye.w};
         triangles.reserve(scene.triangleCount());
     }
 
@@ -39,7 +39,7 @@ class Collector {
             return glm::dvec3(eyeFromBatch * glm::dvec4(at, 1.0));
         };
         const Material& material = scene_.materials[group.material];
-        EyeTriangle triangle;
+        SurfaceTriangle triangle;
         triangle.batch = batch;
         triangle.material = static_cast<std::uint32_t>(group.material);
         triangle.geometry = &geometry;
@@ -52,8 +52,8 @@ class Collector {
             triangle.c = corner(i + 2);
             triangle.firstIndex = i;
             triangle.visible = material.alphaMode != AlphaMode::blend &&
-                               !(scene_.culls && !material.doubleSided &&
-                                 isSeenFromBehind(triangle, eye_, of.isMirrored()));
+                               !(eye_ && scene_.culls && !material.doubleSided &&
+                                 isSeenFromBehind(triangle, *eye_, of.isMirrored()));
             if (clip)
                 clip->add(triangle, solid[i / 3] != 0, triangles);
             else
@@ -81,23 +81,34 @@ class Collector {
                 add(batch, *of.geometry, group);
     }
 
-    std::vector<EyeTriangle> triangles;
+    std::vector<SurfaceTriangle> triangles;
 
   private:
     const Scene& scene_;
     glm::dvec3 position_;
-    glm::dvec4 eye_; ///< homogeneous, relative to the frustum's position
+    std::optional<glm::dvec4> eye_;
     bool castMasked_, cutoutsCast_;
 };
 
 } // namespace
 
-std::vector<EyeTriangle> eyeTriangles(const Scene& scene, const Frustum& frustum, bool castMasked,
-                                      bool cutoutsCast) {
-    Collector collector(scene, frustum, castMasked, cutoutsCast);
+std::vector<SurfaceTriangle> surfaceTriangles(const Scene& scene, const Frustum& frustum,
+                                              bool castMasked, bool cutoutsCast) {
+    const glm::dvec3 position = frustum.position();
+    const glm::dvec4 eye = frustum.eye();
+    Collector collector(scene, position, glm::dvec4(glm::dvec3(eye) - position * eye.w, eye.w),
+                        castMasked, cutoutsCast);
     for (std::uint32_t b = 0; b < scene.batches.size(); ++b)
         if (!scene.batches[b].ground || isAboveGround(frustum, scene.batches[b])) collector.add(b);
     return std::move(collector.triangles);
 }
 
-} // namespace edgeshade::lab
+std::vector<SurfaceTriangle> surfaceTriangles(const Scene& scene, const glm::dvec3& origin,
+                                              bool castMasked, bool cutoutsCast) {
+    Collector collector(scene, origin, std::nullopt, castMasked, cutoutsCast);
+    for (std::uint32_t b = 0; b < scene.batches.size(); ++b)
+        collector.add(b);
+    return std::move(collector.triangles);
+}
+
+} // namespace edgeshade::rays

@@ -1,8 +1,8 @@
-#include "src/lab/eye_triangle.hpp"
+#include "src/rays/surface_triangle.hpp"
 
-namespace edgeshade::lab {
+namespace edgeshade::rays {
 
-std::array<glm::dvec3, 3> cornersInBatch(const EyeTriangle& triangle) {
+std::array<glm::dvec3, 3> cornersInBatch(const SurfaceTriangle& triangle) {
     const Geometry& geometry = *triangle.geometry;
     const auto corner = [&](std::uint32_t i) {
         return glm::dvec3(geometry.positions[geometry.indices[triangle.firstIndex + i]]);
@@ -15,4 +15,4 @@ std::array<glm::dvec3, 3> cornersInBatch(const EyeTriangle& triangle) {
     return {at(triangle.places[0]), at(triangle.places[1]), at(triangle.places[2])};
 }
 
-} // namespace edgeshade::lab
+} // namespace edgeshade::rays
