@@ -21,8 +21,14 @@ set(EDGESHADE_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/edgeshade)
 install(EXPORT edgeshadeTargets NAMESPACE edgeshade:: DESTINATION ${EDGESHADE_CMAKE_DIR})
 configure_package_config_file(cmake/edgeshadeConfig.cmake.in
   ${PROJECT_BINARY_DIR}/edgeshadeConfig.cmake INSTALL_DESTINATION ${EDGESHADE_CMAKE_DIR})
+# Before 1.0.0 a minor version may break its users (docs/versions.md).
+if(PROJECT_VERSION_MAJOR EQUAL 0)
+  set(EDGESHADE_COMPATIBLE SameMinorVersion)
+else()
+  set(EDGESHADE_COMPATIBLE SameMajorVersion)
+endif()
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/edgeshadeConfigVersion.cmake
-  COMPATIBILITY SameMinorVersion)
+  COMPATIBILITY ${EDGESHADE_COMPATIBLE})
 install(FILES ${PROJECT_BINARY_DIR}/edgeshadeConfig.cmake
   ${PROJECT_BINARY_DIR}/edgeshadeConfigVersion.cmake DESTINATION ${EDGESHADE_CMAKE_DIR})
 

@@ -3,6 +3,9 @@
 import type { Camera, Light, Object3D, WebGLRenderer } from 'three';
 import type { MaskCost } from '../masks/shadow-masks.js';
 
+/** Version of the package, "major.minor.patch". */
+export const version: string;
+
 export interface ExactShadowsOptions {
   /** Points of each light that has a radius, 1 to 4096. Default: 64. */
   lightSamples?: number;

@@ -11,6 +11,8 @@ import { MaterialPatches } from './material-patch.js';
 import { RestingLights } from './resting-lights.js';
 import { castingLights } from './scene-lights.js';
 
+export { version } from '../element/version.js';
+
 /** Index of the first map in MaskTextures, after nearness and masks. */
 const firstMap = 1 + mostLights / 4;
 

@@ -1,0 +1,59 @@
+// edgeshade_documents man|bash|words: prints the manual page, the completion for bash, or the
+// words of the command line that tests/stable keeps. Builds run it; it isn't installed.
+#include "src/cli/bash_completion.hpp"
+#include "src/cli/manual_page.hpp"
+#include "src/cli/option_table.hpp"
+#include "src/cli/program.hpp"
+
+#include <iostream>
+
+namespace {
+
+using namespace edgeshade::cli;
+
+/// A line for each verb, its files, its options and each value: "render --shadows WORD = map".
+std::string stableWords(const CLI::App& program) {
+    std::string text;
+    for (const CLI::App* verb : program.get_subcommands(nullptr)) {
+        const std::string& name = verb->get_name();
+        text += name + "\n";
+        for (const CLI::Option* file : verb->get_options())
+            if (file->get_positional())
+                text += name + " " + file->get_name(true) +
+                        (file->get_required() ? "" : " (may be left out)") + "\n";
+        for (const OptionGroup& group : optionTable())
+            for (const Option& option : group.options) {
+                if (!(option.where.verbs & verbOf(name))) continue;
+                const std::string line =
+                    name + " " + option.name + (option.type.empty() ? "" : " " + option.type);
+                text += line + "\n";
+                if (option.setsDefault())
+                    text += line + " by default " + option.defaultText() + "\n";
+                for (const std::string& word : option.values.words)
+                    text += line + " = " + word + "\n";
+                if (option.values.interval)
+                    text += line + " = " + Values{{}, option.values.interval}.text() + "\n";
+            }
+    }
+    for (const StatusMeaning& row : statusMeanings)
+        text +=
+            "exit status " + std::to_string(row.status) + ": " + std::string(row.meaning) + "\n";
+    return text;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    const std::string wanted = argc == 2 ? argv[1] : "";
+    const auto program = makeProgram();
+    if (wanted == "man")
+        std::cout << manualPage(*program);
+    else if (wanted == "bash")
+        std::cout << bashCompletion(*program);
+    else if (wanted == "words")
+        std::cout << stableWords(*program);
+    else {
+        std::cerr << "edgeshade_documents takes man, bash or words, not '" << wanted << "'.\n";
+        return 1;
+    }
+}
