@@ -76,7 +76,8 @@ std::string bashCompletion(const CLI::App& program) {
            "            return 0\n"
            "        }\n"
            "    fi\n"
-           "    mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$current\")\n"
+           "    # Words have neither blanks nor patterns. `< <(...)` would need /dev/fd.\n"
+           "    COMPREPLY=($(compgen -W \"$words\" -- \"$current\"))\n"
            "}\n"
            "complete -F _edgeshade edgeshade\n";
 }

@@ -1,10 +1,11 @@
-// edgeshade_documents man|bash|words: prints the manual page, the completion for bash, or the
+// edgeshade_documents man|bash|words [OUT]: prints the manual page, the completion for bash, or the
 // words of the command line that tests/stable keeps. Builds run it; it isn't installed.
 #include "src/cli/bash_completion.hpp"
 #include "src/cli/manual_page.hpp"
 #include "src/cli/option_table.hpp"
 #include "src/cli/program.hpp"
 
+#include <fstream>
 #include <iostream>
 
 namespace {
@@ -44,16 +45,25 @@ std::string stableWords(const CLI::App& program) {
 } // namespace
 
 int main(int argc, char** argv) {
-    const std::string wanted = argc == 2 ? argv[1] : "";
+    const std::string wanted = argc == 2 || argc == 3 ? argv[1] : "";
     const auto program = makeProgram();
+    std::string text;
     if (wanted == "man")
-        std::cout << manualPage(*program);
+        text = manualPage(*program);
     else if (wanted == "bash")
-        std::cout << bashCompletion(*program);
+        text = bashCompletion(*program);
     else if (wanted == "words")
-        std::cout << stableWords(*program);
+        text = stableWords(*program);
     else {
         std::cerr << "edgeshade_documents takes man, bash or words, not '" << wanted << "'.\n";
         return 1;
     }
+    if (argc == 2) {
+        std::cout << text;
+        return 0;
+    }
+    std::ofstream file(argv[2], std::ios::binary);
+    if (file << text << std::flush) return 0;
+    std::cerr << argv[2] << " can't be written.\n";
+    return 4;
 }
