@@ -39,7 +39,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION
 packing of glTF scenes, silhouettes. Use them by find_package() in CMake or by
 pkg-config.")
 
-# What Debian wants beside that: compressed documents, copyright and changelog of each package.
+# Each Debian package also has compressed documents, a copyright file and a changelog.
 string(TIMESTAMP EDGESHADE_PACKAGE_DATE "%a, %d %b %Y %H:%M:%S +0000" UTC)
 configure_file(packaging/debian/changelog.in ${PROJECT_BINARY_DIR}/documents/changelog.Debian @ONLY)
 file(READ LICENSE EDGESHADE_LICENCE)
