@@ -50,7 +50,7 @@ def lines_now(build):
     yield "The command line", "words.txt", words.stdout.splitlines(), []
     with tempfile.TemporaryDirectory() as folder:
         keys, missing = report_keys(build / "edgeshade", pathlib.Path(folder))
-    yield "The reports' keys", "report_keys.txt", keys, missing
+    yield "A report", "report_keys.txt", keys, missing
 
 
 def first_words(line, names):
