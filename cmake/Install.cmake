@@ -27,8 +27,10 @@ else()
   set(manual ${PROJECT_BINARY_DIR}/documents/edgeshade.1)
   set(completion ${PROJECT_BINARY_DIR}/documents/edgeshade.bash)
   file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/documents)
-  add_custom_command(OUTPUT ${manual} COMMAND edgeshade_documents man ${manual} VERBATIM)
-  add_custom_command(OUTPUT ${completion} COMMAND edgeshade_documents bash ${completion} VERBATIM)
+  add_custom_command(OUTPUT ${manual} COMMAND edgeshade_documents man ${manual}
+    DEPENDS edgeshade_documents VERBATIM)
+  add_custom_command(OUTPUT ${completion} COMMAND edgeshade_documents bash ${completion}
+    DEPENDS edgeshade_documents VERBATIM)
   add_custom_target(edgeshade_manual ALL DEPENDS ${manual} ${completion})
   install(FILES ${manual} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
   install(FILES ${completion} RENAME edgeshade COMPONENT program
