@@ -7,7 +7,9 @@ build_packages=(
     libdraco-dev libmeshoptimizer-dev liberfa-dev libwebp-dev libcli11-dev libegl-dev libgles-dev libglu1-mesa-dev
     libembree-dev libboost-dev libcairo2-dev libegl1 libegl-mesa0 libgles2 libgl1-mesa-dri
 )
-test_packages=(python3 libgtest-dev librapidcheck-dev libnova-dev clang clang-format xvfb xdotool libx11-dev valgrind)
+package_tools=(dpkg-dev) # finds the libraries that a Debian package needs
+test_packages=(python3 libgtest-dev librapidcheck-dev libnova-dev clang clang-format xvfb xdotool libx11-dev valgrind
+    dpkg-dev lintian man-db)
 
 # install_packages PACKAGE...
 install_packages() {

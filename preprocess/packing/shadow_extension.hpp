@@ -1,5 +1,6 @@
 #pragma once
 
+#include "edgeshade/version.hpp"
 #include "preprocess/gltf/extensions.hpp"
 #include "preprocess/gltf/gltf_document.hpp"
 #include "preprocess/volumes/shadow_data.hpp"
@@ -33,7 +34,7 @@ namespace edgeshade {
 ///             streams of edge_codec.hpp: edges over the sorted welded positions  (indexed)
 ///       }]                              accessors are absent where a batch has no casters
 ///     }
-inline constexpr int shadowExtensionVersion = 2;
+inline constexpr int shadowExtensionVersion = packedFormatVersion;
 
 enum class Encoding {
     expanded, ///< sides-data and caps-data, ready for the GPU

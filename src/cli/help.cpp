@@ -155,6 +155,11 @@ void setHelp(CLI::App& program) {
     }
 }
 
+std::string_view exampleOf(std::string_view verb) {
+    const auto example = std::ranges::find(examples, verb, &Example::verb);
+    return example == examples.end() ? std::string_view() : example->words;
+}
+
 std::string unknownOption(const CLI::App& verb, const std::vector<std::string>& words,
                           const CLI::ExtrasError& error) {
     const auto option =

@@ -1,6 +1,6 @@
 #include "preprocess/base/error.hpp"
-#include "src/cli/commands.hpp"
 #include "src/cli/help.hpp"
+#include "src/cli/program.hpp"
 
 #include <csignal>
 #include <iostream>
@@ -38,22 +38,8 @@ void requireKnownVerb(const CLI::App& program, int argc, char** argv) {
 }
 
 int run(int argc, char** argv) {
-    CLI::App program("Pixel-exact hard shadows for glTF scenes.\n"
-                     "Exit status: 0 done; 1 wrong usage; 2 input unreadable or invalid; 3 not "
-                     "possible here; 4 output can't be written.",
-                     "edgeshade");
-    program.set_version_flag("--version", std::string("edgeshade ") + EDGESHADE_VERSION);
-    program.require_subcommand(1);
-    edgeshade::cli::addPackCommand(program);
-    edgeshade::cli::addInfoCommand(program);
-    edgeshade::cli::addRenderCommand(program);
-    edgeshade::cli::addCompareCommand(program);
-    edgeshade::cli::addBenchCommand(program);
-    edgeshade::cli::addTradeoffCommand(program);
-    edgeshade::cli::addSunHoursCommand(program);
-    edgeshade::cli::addSunHoursMergeCommand(program);
-    edgeshade::cli::addViewCommand(program);
-    edgeshade::cli::setHelp(program);
+    const std::unique_ptr<CLI::App> owned = edgeshade::cli::makeProgram();
+    CLI::App& program = *owned;
     requireKnownVerb(program, argc, argv);
     try {
         program.parse(argc, argv);

@@ -1,3 +1,4 @@
+#include "edgeshade/version.hpp"
 #include "tests/support/child_process.hpp"
 
 #include <algorithm>
@@ -74,8 +75,10 @@ TEST(Help, OfAllEndsWithTheLaboratory) {
 TEST(Help, TheVersionIsOneLine) {
     const ProcessResult result = runEdgeshade({"--version"});
     EXPECT_EQ(result.status, 0);
-    EXPECT_TRUE(result.out.starts_with("edgeshade ")) << result.out;
-    EXPECT_EQ(result.out.find('\n'), result.out.size() - 1);
+    EXPECT_EQ(result.out, "edgeshade " + std::string(versionText) + "\n");
+    EXPECT_EQ(versionText, std::to_string(EDGESHADE_VERSION_MAJOR) + "." +
+                               std::to_string(EDGESHADE_VERSION_MINOR) + "." +
+                               std::to_string(EDGESHADE_VERSION_PATCH));
     EXPECT_EQ(result.err, "");
 }
 

@@ -22,7 +22,8 @@ from culling import box, floor, glb  # noqa: E402
 from png_bytes import read_png  # noqa: E402
 
 CXX = os.environ.get("CXX", "c++")
-HEADERS = ("light_lookup.hpp", "matrix.hpp", "packing.hpp", "shadow_masks.hpp", "silhouettes.hpp")
+HEADERS = ("light_lookup.hpp", "matrix.hpp", "packing.hpp", "shadow_masks.hpp", "silhouettes.hpp",
+           "version.hpp")
 OWN = {f'"edgeshade/{name}"' for name in HEADERS}
 INCLUDE = re.compile(r"^\s*#include\s*(\S+)", re.M)
 STANDARD = re.compile("<[a-z_]+>")

@@ -348,7 +348,7 @@ MUTANTS = (
      "shadow_masks_test", "InvisibleMeshes.*"),
     ("a light's map stays current when a caster's holes change",
      "src/engine/caster_scene.cpp",
-     "if (!cutAlike(slots_[id].alpha, alpha)) ++casterState_;", "(void)cutAlike;",
+     "if (!alike) casterChanged(id);", "(void)cutAlike;",
      "shadow_masks_test", "CutoutLookup.IsAskedFor"),
     ("see-through surfaces show what is turned away from the eye",
      "src/render/frame/blended.cpp",

@@ -386,6 +386,9 @@ export class EdgeshadeViewer extends HTMLElement {
   ): void;
 }
 
+/** Version of the package, "major.minor.patch". */
+export const version: string;
+
 /** Keys of the picture; those without `does` belong to the one before. */
 export const keys: { key: string; command: Command; does?: string }[];
 

@@ -19,6 +19,7 @@ import { SceneLoader, Superseded } from './scene-loader.js';
 export { keys } from './gestures.js';
 export { sizeText } from './files.js';
 export { hourColors } from './hour-colors.js';
+export { version } from './version.js';
 
 const nextFrame = () => new Promise((resolve) => requestAnimationFrame(() => resolve()));
 

@@ -141,6 +141,9 @@ export interface MaskCost {
   hostError: number;
 }
 
+/** Version of the package, "major.minor.patch". */
+export const version: string;
+
 /** Most lights in one draw(). */
 export const mostLights: number;
 

@@ -8,6 +8,7 @@ import { MeshPacking } from './mesh-packing.js';
 import { meshNumbers, withCopies, withMesh } from './numbers.js';
 import { compiledModule, instantiate } from './runtime.js';
 
+export { version } from '../element/version.js';
 export { lookupSource } from './lookup-source.js';
 
 const kinds = ['directional', 'point', 'spot'];

@@ -19,6 +19,13 @@ test('the version is that of the program', () => {
   assert.equal(description.version, /project\(edgeshade VERSION ([\d.]+)/.exec(cmake)[1]);
 });
 
+test('every entry exports the version', async () => {
+  assert.equal((await import(join(site, 'element/version.js'))).version, description.version);
+  assert.equal((await import(join(site, 'masks/shadow-masks.js'))).version, description.version);
+  for (const entry of ['element/edgeshade-viewer.js', 'three/exact-shadows.js'])
+    assert.match(readFileSync(join(site, entry), 'utf8'), /^export \{ version \} from '.*\/version\.js';$/m, entry);
+});
+
 test('WebAssembly and JavaScript together weigh at most 820 KB, compressed', () => {
   const parts = {};
   const add = (part, path) => {

@@ -3,6 +3,9 @@
 import type { Camera, Color, CubeCamera, Light, Material, Object3D, WebGLRenderer, WebGLRenderTarget } from 'three';
 import type { MaskCost } from '../masks/shadow-masks.js';
 
+/** Version of the package, "major.minor.patch". */
+export const version: string;
+
 /** How alpha-tested meshes with castShadow cast: see ExactShadows.alphaTestedCast. */
 export type AlphaTestedCast = 'exact' | 'exact-or-whole' | 'whole' | 'none';
 

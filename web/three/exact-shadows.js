@@ -17,6 +17,8 @@ import { Warnings } from './warnings.js';
 
 export { ExactShadowsPass } from './exact-shadows-pass.js';
 
+export { version } from '../element/version.js';
+
 /** Index of the first map in MaskTextures, after nearness and masks. */
 const firstMap = 1 + mostLights / 4;
 

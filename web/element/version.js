@@ -1,0 +1,2 @@
+/** Version of the package, of the program and of the headers. */
+export const version = '0.1.0';
