@@ -564,4 +564,8 @@ MUTANTS = (
      "preprocess/section/triangle_fates.cpp",
      "(height > 0.0 ? 0 : below)", "(height < 0.0 ? below : 0)",
      "section_test", "*"),
+    ("a cut is made in the memory of one that is still shown",
+     "preprocess/base/shared_pool.hpp",
+     "if (item->use_count() > 1) continue;", "if (item->use_count() > 3) continue;",
+     "section_test", "SharedPool.*"),
 )
