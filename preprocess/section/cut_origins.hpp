@@ -6,8 +6,7 @@
 
 namespace edgeshade {
 
-/// Which triangles of a cut geometry are triangles of the geometry before, and which ones planes
-/// met.
+/// Origins of a cut geometry's triangles: triangles of the geometry before, pieces and fills.
 struct CutOrigins {
     /// Added to the number of a triangle that planes met: this is a piece of it, or all of it.
     static constexpr std::uint32_t piece = std::uint32_t{1} << 31;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "preprocess/base/parallel.hpp"
-#include "preprocess/volumes/plane_pair_data.hpp"
+#include "preprocess/volumes/plane_pair_records.hpp"
 
 #include <cstddef>
 #include <vector>

@@ -2,7 +2,7 @@
 
 #include "preprocess/base/prefetch.hpp"
 #include "preprocess/volumes/opposite_pairs.hpp"
-#include "preprocess/volumes/plane_pair_data.hpp"
+#include "preprocess/volumes/plane_pair_records.hpp"
 
 namespace edgeshade {
 

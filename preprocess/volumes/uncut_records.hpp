@@ -46,8 +46,8 @@ struct UncutRecords {
     bool canFollowCuts() const;
 };
 
-/// Of a rigid batch without simplified casters. `shadow`: its records, made without a flat
-/// tolerance by buildPlanePairs(); null: not made yet.
+/// The records and topology of a rigid batch without simplified casters. `shadow`: its records,
+/// made by buildPlanePairs() without a flat tolerance; null: not made yet.
 UncutRecords uncutRecords(const Batch& batch, const std::vector<Material>& materials,
                           bool castMasked, std::shared_ptr<const PlanePairShadow> shadow = {});
 

@@ -18,7 +18,7 @@ bool isEmpty(const Scene& scene) {
     });
 }
 
-/// What cutRecords() needs of the uncut batch; null if it doesn't apply.
+/// Input of cutRecords() for the uncut batch; null if it doesn't apply.
 FollowedGeometry* followedOf(UncutScene& uncut, const Batch& batch,
                              const CasterSettings& settings) {
     const Geometry& geometry = *batch.geometry;

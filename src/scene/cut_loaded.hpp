@@ -26,8 +26,8 @@ struct UncutScene {
     SceneCutter cutter; ///< of the scene in blocks, inBlocks()
     /// Records of the cutter's geometries, made when a cut first leaves one whole.
     std::map<const Geometry*, std::shared_ptr<const PlanePairShadow>> ofWhole = {};
-    /// What cutRecords() needs of the cutter's geometries, made when a cut first crosses one; null
-    /// for those it doesn't apply to.
+    /// Geometries of the cutter, made when a cut first crosses them; null for those that
+    /// cutRecords() doesn't apply to.
     std::map<const Geometry*, std::unique_ptr<FollowedGeometry>> followed = {};
     /// Geometries of the last cut and their records, for those that the next one leaves.
     std::vector<std::pair<CopyOnWrite<Geometry>, std::shared_ptr<const PlanePairShadow>>> last = {};

@@ -82,7 +82,12 @@ TEST(SectionPictures, AreRightByEveryMethod) {
         for (const SectionShadows shadows : {SectionShadows::cut, SectionShadows::whole}) {
             SCOPED_TRACE(of.name + (shadows == SectionShadows::cut ? ", cut" : ", whole"));
             LoadedScene loaded = test::loadedOf(house().scene());
-            cutScene(loaded, {of.planes, shadows, glm::vec3(0.6f, 0.1f, 0.05f)});
+            // Dragged there, so that records are made in the memory of others.
+            for (const double before : {0.4, 0.2, -0.1, 0.0}) {
+                std::vector<glm::dvec4> planes = of.planes;
+                planes.front().w += before;
+                cutScene(loaded, {planes, shadows, glm::vec3(0.6f, 0.1f, 0.05f)});
+            }
             lab::CompareTask task;
             task.views = {{"",
                            frustumOf(Camera{{3.1, 5.0, 7.0}, {0.0, 0.6, 0.0}, 45.0},

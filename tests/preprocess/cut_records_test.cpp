@@ -399,5 +399,20 @@ TEST(CutRecords, DontDependOnWhereThePlaneWasBefore) {
     }
 }
 
+TEST(SharedPool, GivesTheMemoryOfValuesThatNobodyHolds) {
+    SharedPool<std::vector<int>> pool;
+    std::shared_ptr<std::vector<int>> held = pool.share({1, 2, 3});
+    const int* const memory = held->data();
+    const std::weak_ptr<std::vector<int>> watched = held;
+    EXPECT_TRUE(pool.take().empty());
+    EXPECT_EQ(held->size(), 3u);
+    held.reset();
+    EXPECT_FALSE(watched.expired());
+    const std::vector<int> taken = pool.take();
+    EXPECT_EQ(taken.data(), memory);
+    EXPECT_TRUE(watched.expired());
+    EXPECT_TRUE(pool.take().empty());
+}
+
 } // namespace
 } // namespace edgeshade
