@@ -298,6 +298,9 @@ export class ShadowMasks {
    */
   readonly restingState: number;
 
+  /** Runs your own calls of WebGL, and leaves the context's state as draw() does. */
+  keptWhile<T>(act: () => T): T;
+
   /** Call it when the context is lost: nothing can be added or drawn until restore(). */
   forget(): void;
   /**

@@ -246,6 +246,11 @@ export class ShadowMasks {
     }
   }
 
+  /** Runs the host's own GL calls, and leaves the context's state as draw() does. */
+  keptWhile(act) {
+    return this.#state.keptWhile(act, this.#keepsState);
+  }
+
   #inContext(act) {
     return this.#state.keptWhile(() => {
       this.#program.GL.makeContextCurrent(this.#handle);

@@ -124,7 +124,7 @@ export class ExactShadows {
         if (this.#disposed) return masks.dispose();
         this.#masks = masks;
         this.#resetRenderer();
-        this.#texels = new TexelReading(renderer, masks);
+        this.#texels = new TexelReading(renderer, masks, () => this.#resetRenderer());
         this.#casters = new Casters(masks, new AlphaTests(renderer, this.#texels), new Clippings(renderer), this.#warnings);
         this.#views = new MaskViews(renderer, masks, this.#casters, (view, viewport) => this.#show(view, viewport));
         this.#resting = new RestingLights(masks, this.#mostLookedUp, () => this.#resetRenderer());

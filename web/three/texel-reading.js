@@ -1,7 +1,7 @@
 // Alpha of three.js's textures, read back from the GPU as materials sample it: decoded, flipped, and
 // at level 0.
 
-import { Camera, ClampToEdgeWrapping, GLSL3, Mesh, MirroredRepeatWrapping, NearestFilter, NoBlending, PlaneGeometry, RawShaderMaterial, Scene, WebGLRenderTarget } from 'three';
+import { ClampToEdgeWrapping, MirroredRepeatWrapping, NearestFilter } from 'three';
 
 /** Limits of ShadowMasks.addTexels(). */
 const full = 4080, mostTexels = 2 ** 24;
@@ -12,10 +12,12 @@ const patience = 300;
 /** Changes of a texture after which it isn't read any more. */
 const mostChanges = 20;
 
-const vertexShader = 'in vec3 position; void main() { gl_Position = vec4( position, 1.0 ); }';
+/** A triangle over all of the picture. */
+const vertexShader = `#version 300 es
+void main() { gl_Position = vec4( gl_VertexID == 1 ? 3.0 : - 1.0, gl_VertexID == 2 ? 3.0 : - 1.0, 0.0, 1.0 ); }`;
 
 /** Two alphas a pixel, with two bytes each. */
-const fragmentShader = /* glsl */`
+const fragmentShader = `#version 300 es
 precision highp float;
 precision highp int;
 uniform highp sampler2D source;
@@ -48,11 +50,14 @@ export class TexelReading {
   #kept = { alpha: new Map(), green: new Map() }; // by WebGLTexture: {version, seen, number, opaque, why, reading}
   #frame = 0;
   #readIn = -1; // the last frame in which a reading began
-  #drawing = null;
+  #program = null;
+  #touched;
 
-  constructor(renderer, masks) {
+  /** `touched()` is called when the context's state may have changed. */
+  constructor(renderer, masks, touched) {
     this.#renderer = renderer;
     this.#masks = masks;
+    this.#touched = touched;
   }
 
   get #entries() {
@@ -78,7 +83,7 @@ export class TexelReading {
     const { number, version, opaque, why, reading } = entry;
     if (!why && version !== asked && !reading && this.#readIn !== this.#frame) {
       this.#readIn = this.#frame;
-      entry.reading = { ...this.#begin(texture, channel), version: asked };
+      entry.reading = { ...this.#begin(texture, webGlTexture, channel), version: asked };
     }
     return { number: version === asked ? number : null, opaque, why };
   }
@@ -98,46 +103,67 @@ export class TexelReading {
   }
 
   /** Has the GPU copy the texels into a buffer, which the page doesn't wait for. */
-  #begin(texture, channel) {
+  #begin(texture, webGlTexture, channel) {
     const { image: { width, height }, wrapS, wrapT, magFilter } = texture;
     const columns = width % 2 ? width : width / 2, rows = width % 2 ? Math.ceil(height / 2) : height;
-    const renderer = this.#renderer, gl = renderer.getContext();
-    const before = [renderer.getRenderTarget(), renderer.getActiveCubeFace(), renderer.getActiveMipmapLevel()];
-    const target = new WebGLRenderTarget(columns, rows, { depthBuffer: false, minFilter: NearestFilter, magFilter: NearestFilter });
-    const { scene, camera, uniforms } = this.#drawing ??= this.#makeDrawing();
-    uniforms.source.value = texture;
-    uniforms.green.value = channel === 'green';
-    uniforms.columns.value = columns;
-    renderer.setRenderTarget(target);
-    renderer.render(scene, camera);
-    uniforms.source.value = null;
+    const gl = this.#renderer.getContext();
     const buffer = gl.createBuffer();
-    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
-    gl.bufferData(gl.PIXEL_PACK_BUFFER, 4 * columns * rows, gl.STREAM_READ);
-    gl.readPixels(0, 0, columns, rows, gl.RGBA, gl.UNSIGNED_BYTE, 0);
-    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
-    renderer.setRenderTarget(...before);
-    target.dispose();
+    this.#masks.keptWhile(() => this.#draw(gl, webGlTexture, channel, columns, rows, buffer));
+    this.#touched();
     const sync = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     gl.flush();
     return { sync, buffer, count: 2 * columns * rows,
       texels: { width, height, wrapS: wrapOf(wrapS), wrapT: wrapOf(wrapT), filter: magFilter === NearestFilter ? 'nearest' : 'linear' } };
   }
 
-  #makeDrawing() {
-    const uniforms = { source: { value: null }, green: { value: false }, columns: { value: 1 } };
-    const material = new RawShaderMaterial({ glslVersion: GLSL3, vertexShader, fragmentShader, uniforms, blending: NoBlending, depthTest: false, depthWrite: false });
-    const mesh = new Mesh(new PlaneGeometry(2, 2), material);
-    mesh.frustumCulled = false;
-    return { scene: new Scene().add(mesh), camera: new Camera(), uniforms, mesh };
+  /** Draws a texture's alpha, and copies the pixels into a buffer. */
+  #draw(gl, webGlTexture, channel, columns, rows, buffer) {
+    const program = this.#program ??= this.#compiled(gl);
+    const framebuffer = gl.createFramebuffer(), target = gl.createTexture(), array = gl.createVertexArray();
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(gl.TEXTURE_2D, target);
+    gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA8, columns, rows);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, target, 0);
+    for (const name of ['BLEND', 'CULL_FACE', 'DEPTH_TEST', 'DITHER', 'SCISSOR_TEST', 'STENCIL_TEST', 'SAMPLE_COVERAGE', 'SAMPLE_ALPHA_TO_COVERAGE', 'RASTERIZER_DISCARD'])
+      gl.disable(gl[name]);
+    gl.colorMask(true, true, true, true);
+    gl.viewport(0, 0, columns, rows);
+    gl.bindVertexArray(array);
+    gl.bindTexture(gl.TEXTURE_2D, webGlTexture);
+    gl.bindSampler(0, null);
+    gl.useProgram(program);
+    gl.uniform1i(gl.getUniformLocation(program, 'green'), channel === 'green' ? 1 : 0);
+    gl.uniform1i(gl.getUniformLocation(program, 'columns'), columns);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
+    gl.bufferData(gl.PIXEL_PACK_BUFFER, 4 * columns * rows, gl.STREAM_READ);
+    gl.readPixels(0, 0, columns, rows, gl.RGBA, gl.UNSIGNED_BYTE, 0);
+    gl.deleteFramebuffer(framebuffer);
+    gl.deleteTexture(target);
+    gl.deleteVertexArray(array);
+  }
+
+  #compiled(gl) {
+    const program = gl.createProgram();
+    for (const [kind, source] of [[gl.VERTEX_SHADER, vertexShader], [gl.FRAGMENT_SHADER, fragmentShader]]) {
+      const shader = gl.createShader(kind);
+      gl.shaderSource(shader, source);
+      gl.compileShader(shader);
+      gl.attachShader(program, shader);
+      gl.deleteShader(shader);
+    }
+    gl.linkProgram(program); // its texture is on unit 0
+    return program;
   }
 
   #finish(gl, entry) {
     const { sync, buffer, version, count, texels } = entry.reading;
     const alpha = new Uint16Array(count);
+    const bound = gl.getParameter(gl.PIXEL_PACK_BUFFER_BINDING);
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
     gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, alpha);
-    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, bound);
     gl.deleteBuffer(buffer);
     gl.deleteSync(sync);
     if (entry.number !== null) this.#masks.releaseTexels(entry.number);
@@ -149,11 +175,11 @@ export class TexelReading {
   forget() {
     for (const { number } of this.#entries) if (number !== null) this.#masks.releaseTexels(number);
     for (const kept of Object.values(this.#kept)) kept.clear();
+    this.#program = null;
   }
 
   dispose() {
+    if (this.#program) this.#renderer.getContext().deleteProgram(this.#program);
     this.forget();
-    this.#drawing?.mesh.geometry.dispose();
-    this.#drawing?.mesh.material.dispose();
   }
 }

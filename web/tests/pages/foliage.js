@@ -87,3 +87,14 @@ export function blobs(width, height, { green = false, seed = 7 } = {}) {
   texture.needsUpdate = true;
   return texture;
 }
+
+/** Draws frames until a light's map holds all casters, also those that have changed lately. */
+export async function wholly({ rested }, shadows, scene, camera, lights = 1) {
+  await rested(shadows, scene, camera, lights);
+  const holdAll = () => [...shadows.lights.values()].filter(({ method }) => method === 'lookup').length === lights;
+  for (const since = performance.now(); !holdAll() && performance.now() - since < 30000;) {
+    await new Promise((resolve) => { setTimeout(resolve, 150); });
+    shadows.render(scene, camera);
+  }
+  return shadows.cost.lookedUp;
+}
