@@ -208,22 +208,24 @@ std::optional<Oracle::Sighting> Oracle::sightingOf(std::uint32_t i, const PixelR
     const bool hit = meeting.inside() && meeting.t >= question_.near &&
                      !isCutOut(triangle, meeting.u, meeting.v);
     // Texture filtering decides the edge of a cutout, and has no error bound.
-    const bool certain =
-        meeting.certain() && std::abs(meeting.t - question_.near) > meeting.tError &&
-        question_.scene->materials[triangle.material].alphaMode == AlphaMode::opaque;
+    const bool certainPlace =
+        meeting.certain() && std::abs(meeting.t - question_.near) > meeting.tError;
+    const bool certain = certainPlace && question_.scene->materials[triangle.material].alphaMode ==
+                                             AlphaMode::opaque;
     if (!hit && certain) return std::nullopt;
-    return Sighting{{i, hit ? meeting.t : infinity, meeting.tError}, certain};
+    return Sighting{{i, hit ? meeting.t : infinity, meeting.tError}, certain, certainPlace};
 }
 
 Oracle::First Oracle::firstAt(double x, double y) const {
     const PixelRay ray = pixelRay(question_, x, y);
     Hit nearest{0, infinity, 0.0};
     double second = infinity; // least possible depth of another surface
-    bool certain = true;
+    bool certain = true, certainPlaces = true;
     surfaces_->tree.visitInOrder(ray.origin, ray.direction, [&](std::uint32_t i) {
         if (const std::optional<Sighting> seen = sightingOf(i, ray)) {
             const Hit& hit = seen->hit;
             certain = certain && seen->certain;
+            certainPlaces = certainPlaces && seen->certainPlace;
             const bool closer =
                 hit.depth < nearest.depth || (hit.depth == nearest.depth && i < nearest.triangle);
             const Hit& farther = closer ? nearest : hit;
@@ -232,8 +234,9 @@ Oracle::First Oracle::firstAt(double x, double y) const {
         }
         return nearest.depth + nearest.error;
     });
-    if (!std::isfinite(nearest.depth)) return {std::nullopt, certain};
-    return {nearest, certain && nearest.depth + nearest.error < second};
+    if (!std::isfinite(nearest.depth)) return {std::nullopt, certain, certainPlaces};
+    const bool isFirst = nearest.depth + nearest.error < second;
+    return {nearest, certain && isFirst, certainPlaces && isFirst};
 }
 
 Oracle::Checked Oracle::checkedAt(double x, double y) const {

@@ -100,6 +100,7 @@ class Oracle {
     struct First {
         std::optional<Hit> hit;
         bool certain = true;
+        bool certainPlaces = true; ///< the same, except where alpha decides
     };
     First firstAt(double x, double y) const;
 
@@ -159,7 +160,8 @@ class Oracle {
     /// A visible triangle that a line of sight may meet: depth is infinite if it doesn't.
     struct Sighting {
         Hit hit;
-        bool certain; ///< whether it is met, certainly
+        bool certain;      ///< whether it is met, certainly
+        bool certainPlace; ///< the same, except where alpha decides
     };
     std::optional<Sighting> sightingOf(std::uint32_t triangle, const PixelRay& ray) const;
     Checked checkedOn(const Hit& hit, double x, double y) const;

@@ -14,7 +14,7 @@ PixelSurface surfaceAt(const Oracle& oracle, double x, double y) {
                                         pixelRay(oracle.question(), x, y), depth)};
     };
     const Oracle::First first = oracle.firstAt(x, y);
-    if (first.certain)
+    if (first.certainPlaces) // alpha is interpolated, so integers would not make it exact
         return first.hit ? seen(first.hit->triangle, first.hit->depth) : PixelSurface();
     const std::optional<ExactSurface> exact = surfaceExactly(oracle, x, y);
     return exact ? seen(exact->triangle, exact->depth) : PixelSurface();

@@ -26,6 +26,7 @@ VIEWS = {"plan": ("--plan",), "from the side": ()}
 PLACE, DAY, STEP, SIZE = "48.14,11.57", "2026-03-21", 30, "480x360"
 FINE_STEP = 10  # minutes, the default
 RUNS = {STEP: 3, FINE_STEP: 1}  # complete runs, of which the median is reported
+WRONG = ("positions", "mean_hours", "wrong_mask_pixels", "wrong_mask_beyond_1px", "visible_pixels", "tie_pixels")
 RAYS = os.environ.get("EDGESHADE_SUN_RAYS", str(ROOT / "build/release/tests/bench/sun_rays"))
 
 
@@ -81,7 +82,8 @@ def measured():
         for model, file in MODELS.items():
             scenes[model] = {}
             for view, words in VIEWS.items():
-                wrong = old[model][view] if old else wrong_of(SCENES / file, words, folder)
+                wrong = ({key: old[model][view][key] for key in WRONG} if old
+                         else wrong_of(SCENES / file, words, folder))
                 scenes[model][view] = wrong | times_of(SCENES / file, words, folder)
     return scenes
 
