@@ -37,6 +37,9 @@ struct MergeCandidate {
     Box box{}; ///< in the world
 };
 
+/// A mesh's candidate. `number`: the caller's.
+MergeCandidate candidateOf(std::size_t number, const PlacedMesh& mesh);
+
 /// The numbers of the first candidate and of its nearest neighbours that fit into one mesh with it.
 std::vector<std::size_t> neighbours(std::span<const MergeCandidate> candidates);
 
