@@ -3,16 +3,22 @@
 import { BackSide, DoubleSide, Matrix4 } from 'three';
 import { isAlphaTested, sameAlpha, texcoordsNameOf } from './alpha-tests.js';
 import { unclipped } from './clippings.js';
-import { isPosed, poseOf, sameNumbers, shapeOf, texcoordsOf, versionsOf } from './mesh-shape.js';
+import { MeshQueue } from './mesh-queue.js';
+import { isPosed, poseOf, sameNumbers, shapeOf, texcoordsOf, trianglesOf, versionsOf } from './mesh-shape.js';
 
-/** Up to this many triangles edges are found immediately, well within a frame. */
+/** Only meshes of up to this many triangles are prepared within a frame, or merged. */
 const fewTriangles = 500;
+
+/** New meshes of up to this many triangles in all are prepared within the frame. */
+const fewTrianglesAtOnce = 2000;
 
 const materialsOf = (mesh) => [mesh.material].flat().filter(Boolean);
 /**
  * Whether masks can show a material: behind see-through and dithered surfaces others are visible.
  */
 const isShown = (material) => material.visible && !material.alphaHash && (!material.transparent || material.isShadowMaterial);
+
+const isSmall = (mesh) => trianglesOf(mesh) <= fewTriangles;
 
 const place = new Matrix4(), instance = new Matrix4();
 
@@ -67,25 +73,42 @@ function placesOf(mesh) {
   });
 }
 
+/** The engine's record of one of three.js's meshes. */
+const recordOf = (mesh) => ({ mesh, key: null, entry: null, ids: [], places: [], alphas: [], shown: null, clippings: unclipped,
+  queued: false, round: 0 });
+
 export class Casters {
   #masks;
   #alphaTests;
   #clippings;
-  #prepared = new Map(); // by key: {number or null while pending, users, promise; ahead: still to
-                         // upload}
+  #touched;
+  #queue;
+  #prepared = new Map(); // by key: {number or null while pending, users}
   #meshes = new Map();   // three.js's mesh: the engine's record of it
+  #pending = 0;          // records in the queue
+  #round = 0;            // number of follow()'s calls
+  #revision = 0;
+  #versions = [];        // of the mesh that is compared
   #problems = [];
   #told = new WeakSet(); // meshes that were warned of
 
-  constructor(masks, alphaTests, clippings) {
+  /** `touched()` is called when the context's state has changed. */
+  constructor(masks, alphaTests, clippings, touched) {
     this.#masks = masks;
     this.#alphaTests = alphaTests;
     this.#clippings = clippings;
+    this.#touched = touched;
+    this.#queue = new MeshQueue(masks, (sentence) => this.#problems.push(sentence));
   }
 
-  /** Number of meshes whose edges aren't found yet, or that aren't uploaded. */
+  /** Changes whenever masks of the same view may. */
+  get revision() {
+    return this.#revision;
+  }
+
+  /** Number of meshes that the engine doesn't have yet as they are. */
   get pending() {
-    return [...this.#prepared.values()].filter(({ number, ahead }) => number === null || ahead).length;
+    return this.#pending;
   }
 
   /**
@@ -97,37 +120,32 @@ export class Casters {
     return Boolean(had?.casts) && had.clippings === unclipped;
   }
 
-  /** Resolves when nothing is pending; throws any error since the last call. */
+  /** Resolves when no worker is busy; throws any error since the last call. */
   async settled() {
-    while (this.#waiting.length) await Promise.allSettled(this.#waiting.map(({ promise }) => promise));
+    while (this.#queue.calls.length) await Promise.all(this.#queue.calls);
     if (this.#problems.length) throw new Error(this.#problems.splice(0).join(' '));
   }
 
-  get #waiting() {
-    return [...this.#prepared.values()].filter(({ number }) => number === null);
+  /** Works for some milliseconds on pending meshes. */
+  advance() {
+    if (this.#queue.advance()) this.#touched();
   }
 
-  /** Makes the engine have exactly these meshes in their current state, except those whose edges
-   * are still being found. `alphaTestedCast`: whether alpha-tested meshes keep their
-   * castShadow. */
+  /** Makes the engine have exactly these meshes in their current state, except those that are
+   * pending. `alphaTestedCast`: whether alpha-tested meshes keep their castShadow. */
   follow(meshes, alphaTestedCast) {
-    const seen = new Set();
+    this.advance();
+    this.#round += 1;
+    const fresh = [];
+    let count = 0;
     for (const mesh of meshes) {
       const role = roleOf(mesh, alphaTestedCast);
       if (!role) continue;
-      seen.add(mesh);
-      this.#followOne(mesh, role);
+      count += 1;
+      this.#followOne(mesh, role, fresh);
     }
-    for (const mesh of [...this.#meshes.keys()]) if (!seen.has(mesh)) this.#drop(mesh);
-    this.#uploadOne();
-  }
-
-  /** Uploads a large mesh in one frame, and adds it in the next. */
-  #uploadOne() {
-    const entry = [...this.#prepared.values()].find(({ number, ahead }) => ahead && number !== null);
-    if (!entry) return;
-    entry.ahead = false;
-    if (entry.number >= 0) this.#masks.upload(entry.number);
+    if (count < this.#meshes.size) for (const [mesh, had] of this.#meshes) if (had.round !== this.#round) this.#drop(mesh);
+    this.#admit(fresh);
   }
 
   /** Called when the engine has lost everything added to it. */
@@ -139,54 +157,92 @@ export class Casters {
     for (const mesh of [...this.#meshes.keys()]) this.#drop(mesh);
   }
 
-  #followOne(mesh, role) {
+  /** Follows a mesh, or adds it to the `fresh` ones, which may have to wait. */
+  #followOne(mesh, role, fresh) {
     let had = this.#meshes.get(mesh);
-    if (!had) this.#meshes.set(mesh, had = { key: null, ids: [], places: [], alphas: [], shown: null, clippings: unclipped });
+    if (!had) this.#meshes.set(mesh, had = recordOf(mesh));
+    had.round = this.#round;
     had.casts = role.casts;
-    if (isPosed(mesh)) this.#pose(mesh, role, had);
+    const posed = isPosed(mesh);
+    if (posed) this.#pose(mesh, role, had);
     else this.#followShape(mesh, role, had);
-    const { number: found = null, ahead } = this.#prepared.get(had.key) ?? {};
-    if (found === null || ahead) return;
+    if (had.queued && !posed) return;
+    if (had.entry.number === null || (had.shown === null && !posed)) fresh.push({ mesh, role, had });
+    else this.#finish(mesh, role, had);
+  }
+
+  #finish(mesh, role, had) {
     this.#clip(mesh, had);
-    this.#place(mesh, found, had);
-    if (role.tested) this.#setAlpha(role.tested, had);
+    this.#place(mesh, had.entry.number, had);
+    if (!role.tested) return;
+    this.#revision += 1; // the texture may show something else in each frame
+    this.#setAlpha(role.tested, had);
+  }
+
+  /**
+   * Prepares a few small meshes immediately, and others by and by. Small ones whose shape has changed
+   * don't wait, as it may change in each frame.
+   */
+  #admit(fresh) {
+    let triangles = 0;
+    for (const { mesh, had } of fresh) if (had.shown === null && isSmall(mesh)) triangles += trianglesOf(mesh);
+    for (const { mesh, role, had } of fresh) {
+      const { entry } = had, small = isSmall(mesh);
+      const waits = small ? triangles > fewTrianglesAtOnce && had.shown === null && !mesh.isInstancedMesh : entry.number === null;
+      if (waits) {
+        this.#enqueue(mesh, role, had, small);
+        continue;
+      }
+      if (entry.number === null) this.#prepareNow(this.#shapeOf(mesh, role), entry);
+      this.#finish(mesh, role, had);
+    }
+  }
+
+  #enqueue(mesh, role, had, small) {
+    const { entry } = had;
+    had.queued = true;
+    this.#pending += 1;
+    let open = true;
+    const close = () => {
+      if (open && had.queued) this.#pending -= 1;
+      if (open) had.queued = false;
+      open = false;
+    };
+    const isWanted = () => this.#meshes.get(mesh) === had && had.entry === entry && (had.shown === null || !small);
+    this.#queue.add({
+      entry,
+      isSmall: small,
+      shape: () => this.#shapeOf(mesh, role),
+      matrix: () => numbersOf(mesh.matrixWorld),
+      isWanted,
+      placed: (id, at) => {
+        this.#revision += 1;
+        Object.assign(had, { ids: [id], places: [at], alphas: [], shown: entry.number, clippings: unclipped });
+        close();
+      },
+      done: () => {
+        if (isWanted() && entry.number !== null) this.#finish(mesh, role, had);
+        close();
+      },
+    });
   }
 
   #followShape(mesh, role, had) {
     const { geometry } = mesh;
-    const versions = versionsOf(mesh, role.texcoords);
+    const versions = versionsOf(mesh, role.texcoords, this.#versions);
     if (had.geometry === geometry && had.roleKey === role.key && sameNumbers(had.versions, versions)) return;
-    Object.assign(had, { geometry, roleKey: role.key, versions });
-    this.#prepare(mesh, role, `${geometry.uuid} ${versions} ${role.key}`, had);
+    Object.assign(had, { geometry, roleKey: role.key, versions: [...versions] });
+    this.#use(`${geometry.uuid} ${versions} ${role.key}`, had);
   }
 
-  /** Prepares a geometry that several meshes may share. */
-  #prepare(mesh, role, key, had) {
+  /** Finds or makes the entry of a geometry that several meshes may share. */
+  #use(key, had) {
     if (had.key === key) return;
-    this.#release(had.key);
-    had.key = key;
-    const known = this.#prepared.get(key);
-    if (known) {
-      known.users += 1;
-      return;
-    }
-    const shape = this.#shapeOf(mesh, role);
-    const entry = { number: null, users: 1, promise: null };
-    this.#prepared.set(key, entry);
-    if (shape.indices.length <= 3 * fewTriangles) {
-      this.#prepareNow(shape, entry);
-      return;
-    }
-    entry.ahead = true;
-    entry.promise = this.#masks.prepare(shape).then(
-      (number) => {
-        if (this.#prepared.get(key) === entry) entry.number = number;
-        else this.#masks.release(number); // nobody uses it any more
-      },
-      (error) => {
-        entry.number = -1;
-        this.#problems.push(error.message);
-      });
+    const known = this.#prepared.get(key) ?? { number: null, users: 0 };
+    this.#prepared.set(key, known);
+    known.users += 1;
+    this.#release(had);
+    Object.assign(had, { key, entry: known });
   }
 
   #prepareNow(shape, entry) {
@@ -204,9 +260,9 @@ export class Casters {
     const version = `${versionsOf(mesh, role.texcoords)} ${role.key}`;
     had.geometry = null;
     if (had.key === mesh.uuid && had.version === version && sameNumbers(had.pose, pose)) return;
-    this.#release(had.key);
-    Object.assign(had, { key: mesh.uuid, version, pose });
-    const entry = { number: null, users: 1, promise: null };
+    this.#release(had);
+    const entry = { number: null, users: 1 };
+    Object.assign(had, { key: mesh.uuid, entry, version, pose });
     this.#prepared.set(had.key, entry);
     this.#prepareNow({ ...this.#shapeOf(mesh, role), bends: true }, entry);
   }
@@ -221,6 +277,7 @@ export class Casters {
     if (!mesh.isInstancedMesh && had.shown === number && had.ids.length === 1 && sameNumbers(had.places[0], mesh.matrixWorld.elements)) return;
     const places = number < 0 ? [] : placesOf(mesh).filter(Boolean);
     const ids = had.ids;
+    this.#revision += had.shown !== number || ids.length !== places.length ? 1 : 0;
     while (ids.length > places.length) this.#masks.remove(ids.pop());
     had.alphas.length = Math.min(had.alphas.length, ids.length);
     for (const [i, matrix] of places.entries()) {
@@ -233,7 +290,9 @@ export class Casters {
         this.#masks.change(ids[i], number);
         had.alphas[i] = null;
       }
-      if (!sameNumbers(had.places[i], matrix)) this.#masks.move(ids[i], matrix);
+      if (sameNumbers(had.places[i], matrix)) continue;
+      this.#revision += 1;
+      this.#masks.move(ids[i], matrix);
     }
     Object.assign(had, { places, shown: number });
   }
@@ -257,6 +316,7 @@ export class Casters {
   }
 
   #clipOne(id, clippings) {
+    this.#revision += 1;
     try {
       this.#masks.setClippings(id, clippings);
     } catch (error) {
@@ -278,13 +338,15 @@ export class Casters {
     const had = this.#meshes.get(mesh);
     this.#meshes.delete(mesh);
     for (const id of had.ids) this.#masks.remove(id);
-    this.#release(had.key);
+    this.#revision += 1;
+    this.#release(had);
+    if (had.queued) this.#pending -= 1;
+    had.queued = false;
   }
 
-  #release(key) {
-    const entry = this.#prepared.get(key);
+  #release({ key, entry }) {
     if (!entry || (entry.users -= 1) > 0) return;
-    this.#prepared.delete(key);
+    if (this.#prepared.get(key) === entry) this.#prepared.delete(key);
     if (entry.number >= 0 && entry.number !== null) this.#masks.release(entry.number);
   }
 }

@@ -25,7 +25,8 @@ export interface ExactShadowsOptions {
  * Exact shadows for directional, point and spot lights with castShadow: cast by meshes with
  * castShadow, and received by meshes with receiveShadow of standard, physical, Lambert, Phong, toon
  * and shadow materials. Meshes may be instanced, skinned and morphed. Pictures have no shadows
- * until the edges of all meshes are found. A light that has rested for half a second, with all
+ * until the first meshes are ready; those that are added later take part once they are (cost.pending).
+ * A light that has rested for half a second, with all
  * casters, is looked up once a worker has built its map, until something moves.
  *
  * An alpha-tested surface (alphaTest, with the alpha of map or the green of alphaMap; with both,
@@ -36,8 +37,11 @@ export interface ExactShadowsOptions {
  * Clipping planes mean what they mean for three.js's maps: renderer.clippingPlanes and, with
  * renderer.localClippingEnabled, a material's clippingPlanes and clipIntersection clip visible surfaces;
  * with clipShadows a material's planes also cut casters. At most 12 clip a mesh.
+ *
+ * The event 'change' says that one more frame would look different, though the scene hasn't changed:
+ * meshes are ready, a light is looked up, or the context is restored.
  */
-export class ExactShadows {
+export class ExactShadows extends EventTarget {
   /** `renderer`: with WebGL 2. Turn its own shadowMap off. Throws an Error with a sentence. */
   constructor(renderer: WebGLRenderer, options?: ExactShadowsOptions);
 
@@ -67,7 +71,14 @@ export class ExactShadows {
   /** Resolves once everything in the last render() has its shadows. Throws any error. */
   ready(): Promise<void>;
   /**
-   * Cost of the last masks. `pending`: meshes that are not ready; `lookedUp`: lights that are
+   * Resolves when the last picture is final, until the scene changes: everything has its shadows, and
+   * no light is about to be looked up. Throws any error.
+   */
+  readonly settled: Promise<void>;
+  /** Whether one more frame would look different, though the scene hasn't changed. */
+  readonly needsUpdate: boolean;
+  /**
+   * Cost of the last masks. `pending`: meshes that are not ready, or not in their new shape; `lookedUp`: lights that are
    * looked up, without a mask. Null before the first.
    */
   readonly cost: (MaskCost & { pending: number; lookedUp: number }) | null;

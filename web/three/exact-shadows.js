@@ -8,6 +8,7 @@ import { Clippings } from './clippings.js';
 import { mostSlots, slotName } from './lit.glsl.js';
 import { MaskTextures } from './mask-textures.js';
 import { MaterialPatches } from './material-patch.js';
+import { Progress } from './progress.js';
 import { RestingLights } from './resting-lights.js';
 import { castingLights } from './scene-lights.js';
 
@@ -41,7 +42,10 @@ const ancestorTakesPart = (object, roots) => {
   return false;
 };
 
-export class ExactShadows {
+/** Milliseconds between steps outside of frames, and between looks at lights that rest. */
+const stepWait = 16, lightWait = 100;
+
+export class ExactShadows extends EventTarget {
   #renderer;
   #masks = null;
   #casters = null;
@@ -60,6 +64,10 @@ export class ExactShadows {
   #textures;
   #patches;
   #viewport = new Vector4();
+  #drawn = null; // the last masks, and what they depend on
+  #lights = []; // {light: three.js's, numbers: MaskLight} of the last picture
+  #maps = [];   // their maps, or null
+  #progress = new Progress(() => this.#goOn(), () => this.dispatchEvent(new Event('change')));
   #uniforms = {
     edgeshadeMasks: { value: [null] },
     edgeshadeIntensities: { value: new Float32Array(mostLights).fill(1) },
@@ -73,6 +81,7 @@ export class ExactShadows {
   };
   #forget = () => {
     this.#lost = true;
+    this.#drawn = null;
     this.#masks?.forget();
     this.#casters?.forget();
     this.#resting?.forget();
@@ -81,9 +90,11 @@ export class ExactShadows {
   #restore = () => {
     this.#masks?.restore();
     this.#lost = false;
+    this.#progress.invalidate();
   };
 
   constructor(renderer, { lightSamples = 64, alphaTestedCast = true, keepsState = false, lookups = 1 } = {}) {
+    super();
     if (!renderer?.isWebGLRenderer) throw new Error('ExactShadows needs a WebGLRenderer of three.js.');
     const context = renderer.getContext();
     if (typeof WebGL2RenderingContext === 'undefined' || !(context instanceof WebGL2RenderingContext))
@@ -103,8 +114,9 @@ export class ExactShadows {
         if (this.#disposed) return masks.dispose();
         this.#masks = masks;
         this.#resetRenderer();
-        this.#casters = new Casters(masks, new AlphaTests(renderer), new Clippings(renderer));
+        this.#casters = new Casters(masks, new AlphaTests(renderer), new Clippings(renderer), () => this.#resetRenderer());
         this.#resting = new RestingLights(masks, this.#mostLookedUp, () => this.#resetRenderer());
+        this.#progress.invalidate();
         return undefined;
       },
       (error) => { this.#problem = error; });
@@ -138,7 +150,22 @@ export class ExactShadows {
       this.#follow(this.#last);
       await this.#casters?.settled();
       if (!this.#casters?.pending) return;
+      await new Promise((resolve) => { setTimeout(resolve); }); // the page goes on between steps
     }
+  }
+
+  /** Whether one more frame would look different, though the scene hasn't changed. */
+  get needsUpdate() {
+    return this.#progress.needsUpdate;
+  }
+
+  /** Resolves when the last picture is final until the scene changes. Throws any error. */
+  get settled() {
+    return this.#starting.then(async () => {
+      if (this.#problem) throw this.#problem;
+      await this.#progress.settled;
+      await this.#casters?.settled();
+    });
   }
 
   /** Cost of the last masks, or null. */
@@ -172,7 +199,9 @@ export class ExactShadows {
    * endMasks(). Returns whether there are any. */
   beginMasks(scene, camera) {
     this.#last = { scene, camera };
-    return this.#draw(scene, camera);
+    const drawn = this.#draw(scene, camera);
+    if (this.#masks && !this.#lost) this.#progress.drawn(this.#standing());
+    return drawn;
   }
 
   /** From here on three.js draws without masks. */
@@ -183,6 +212,7 @@ export class ExactShadows {
   /** Frees everything; restores the materials. */
   dispose() {
     this.#disposed = true;
+    this.#progress.stop();
     this.#last = null;
     this.#patches.clear();
     this.#textures.clear();
@@ -206,28 +236,35 @@ export class ExactShadows {
     const lights = this.#follow({ scene, camera });
     if (!this.#masks) return false;
     const casting = castingLights(lights, (light) => this.#radii.get(light) ?? 0);
+    this.#lights = casting.lights.map((numbers, i) => ({ light: casting.sources[i], numbers }));
+    this.#maps = [];
     this.#complete ||= this.#casters.pending === 0;
     if (casting.lights.length === 0 || !this.#complete) return false;
     this.#renderer.getCurrentViewport(this.#viewport);
     const { x, y, z: width, w: height } = this.#viewport;
     if (width < 1 || height < 1) return false;
-    const maps = this.#mapsOf(casting);
+    const maps = this.#followLights();
     this.#showMaps(camera, maps);
     const masked = casting.lights.filter((_, i) => !maps[i]);
     this.#uniforms.edgeshadeIntensities.value.set(casting.intensities);
     this.#uniforms.edgeshadeMasked.value = Math.min(masked.length, 1);
     this.#uniforms.edgeshadeMasks.value = Array.from({ length: Math.ceil(maps.length / 4) }, () => null);
     this.#uniforms.edgeshadeNearness.value = null;
-    if (masked.length > 0) {
-      this.#showMasks(camera, this.#masks.draw({
-        viewFromWorld: camera.matrixWorldInverse.elements,
-        clipFromView: camera.projectionMatrix.elements,
-        width, height, lightSamples: this.lightSamples,
-      }, masked));
-      this.#resetRenderer();
-    }
+    if (masked.length > 0) this.#showMasks(camera, this.#masksOf(camera, width, height, masked));
     this.#uniforms.edgeshadeViewport.value.set(x, y, 1 / width, 1 / height);
     return true;
+  }
+
+  /** Draws masks, unless those of the last picture are still right. */
+  #masksOf(camera, width, height, lights) {
+    const view = { viewFromWorld: camera.matrixWorldInverse.elements, clipFromView: camera.projectionMatrix.elements,
+      width, height, lightSamples: this.lightSamples };
+    const key = `${Object.values(view)} ${JSON.stringify(lights)} ${this.#casters.revision}`;
+    if (this.#drawn?.key !== key) {
+      this.#drawn = { key, masks: this.#masks.draw(view, lights) };
+      this.#resetRenderer();
+    }
+    return this.#drawn.masks;
   }
 
   /** Makes three.js set its state again, unless all state is kept. */
@@ -250,18 +287,35 @@ export class ExactShadows {
     for (const mesh of meshes) {
       if (!mesh.receiveShadow) continue;
       const casts = this.#casters?.casts(mesh) ?? false;
-      for (const material of [mesh.material].flat()) if (material) receiving.set(material, casts && (receiving.get(material) ?? true));
+      const note = (material) => material && receiving.set(material, casts && (receiving.get(material) ?? true));
+      if (Array.isArray(mesh.material)) mesh.material.forEach(note);
+      else note(mesh.material);
     }
     for (const [material, casts] of receiving) this.#patches.add(material, casts);
     return lights;
   }
 
-  /** For each light, the map that it is looked up in, or null. */
-  #mapsOf({ lights, sources }) {
+  /** Goes on between frames. */
+  #goOn() {
+    if (this.#lost) return null;
+    this.#casters.advance();
+    return this.#standing(this.#resting.follow(this.#lights, this.#casters.pending === 0));
+  }
+
+  /** What a frame would show, and when to go on, for Progress. */
+  #standing(maps = this.#maps) {
+    const pending = this.#casters.pending > 0;
+    const shown = maps.map((map) => map?.slot);
+    const waits = this.#resting.isWaiting(this.#lights) ? lightWait : Infinity;
+    return { state: pending ? '' : `${this.#masks.casterState} ${shown}`, wait: pending || this.#resting.isUploading ? stepWait : waits };
+  }
+
+  /** Returns for each light the map that it is looked up in, or null. */
+  #followLights() {
     this.#resting.most = this.#patches.slots;
-    const maps = this.#resting.follow(lights.map((numbers, i) => ({ light: sources[i], numbers })), this.#casters.pending === 0);
-    this.#lookedUp = maps.filter(Boolean).length;
-    return maps;
+    this.#maps = this.#resting.follow(this.#lights, this.#casters.pending === 0);
+    this.#lookedUp = this.#maps.filter(Boolean).length;
+    return this.#maps;
   }
 
   #showMaps(camera, maps) {

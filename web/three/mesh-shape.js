@@ -13,16 +13,24 @@ export function sameNumbers(a, b) {
 /** Whether a mesh has another shape than its geometry: skinned or morphed. */
 export const isPosed = (mesh) => Boolean(mesh.isSkinnedMesh || mesh.geometry.morphAttributes.position?.length);
 
+const dataVersion = (attribute) => attribute?.data?.version ?? attribute?.version ?? 0;
+
 /**
  * Versions that change with the triangles, and with the texture coordinates of that name, if there
- * is one.
+ * is one. They are written into `versions`, so that following thousands of meshes makes no garbage.
  */
-export function versionsOf({ geometry }, texcoords) {
+export function versionsOf({ geometry }, texcoords, versions = []) {
   const { index, attributes, drawRange } = geometry;
   const { position } = attributes;
-  const dataVersion = (attribute) => attribute?.data?.version ?? attribute?.version ?? 0;
-  return [position.count, dataVersion(position), index?.count, dataVersion(index), drawRange.start, drawRange.count,
-    texcoords, dataVersion(attributes[texcoords])];
+  versions[0] = position.count;
+  versions[1] = dataVersion(position);
+  versions[2] = index?.count;
+  versions[3] = dataVersion(index);
+  versions[4] = drawRange.start;
+  versions[5] = drawRange.count;
+  versions[6] = texcoords;
+  versions[7] = texcoords && dataVersion(attributes[texcoords]);
+  return versions;
 }
 
 /** The pose of a bent mesh: numbers, to be compared one by one. */
@@ -57,14 +65,22 @@ export function texcoordsOf({ geometry }, name) {
   return texcoords;
 }
 
-/** {positions, indices} of the drawn part of a mesh, in its own space. */
-export function shapeOf(mesh) {
-  const { geometry } = mesh;
-  const { index, attributes: { position }, drawRange } = geometry;
+/** The drawn part of a mesh: its first corner, and whole triangles' number of corners. */
+function drawnOf({ geometry: { index, attributes: { position }, drawRange } }) {
   const count = index ? index.count : position.count;
   const begin = Math.min(Math.max(drawRange.start, 0), count);
   const whole = 3 * Math.floor((Math.min(drawRange.start + drawRange.count, count) - begin) / 3);
-  const indices = new Uint32Array(Math.max(whole, 0));
-  for (let i = 0; i < indices.length; ++i) indices[i] = index ? index.getX(begin + i) : begin + i;
+  return { begin, corners: Math.max(whole, 0) };
+}
+
+export const trianglesOf = (mesh) => drawnOf(mesh).corners / 3;
+
+/** {positions, indices} of the drawn part of a mesh, in its own space. */
+export function shapeOf(mesh) {
+  const { index } = mesh.geometry;
+  const { begin, corners } = drawnOf(mesh);
+  const indices = new Uint32Array(corners);
+  if (index?.isBufferAttribute) indices.set(index.array.subarray(begin, begin + corners));
+  else for (let i = 0; i < indices.length; ++i) indices[i] = index ? index.getX(begin + i) : begin + i;
   return { positions: positionsOf(mesh), indices };
 }

@@ -16,6 +16,7 @@ export class RestingLights {
   #entries = new Map(); // by three.js's light: {key, since, abort, id, problem}
   #casterState = -1;
   #castersSince = 0;
+  #loads = false; // whether meshes were pending
 
   /**
    * `most`: lights that may be looked up at once. `touched()` is called when the context's state
@@ -31,7 +32,10 @@ export class RestingLights {
    * are pending. Returns for each light its map and slot, or null. */
   follow(lights, settled, now = performance.now()) {
     const { casterState } = this.#masks;
-    if (casterState !== this.#casterState || !settled) this.#castersSince = now;
+    // Meshes that have been loaded are at rest.
+    if (casterState !== this.#casterState) this.#castersSince = this.#loads ? now - restMilliseconds : now;
+    if (!settled) this.#castersSince = now;
+    this.#loads = !settled;
     this.#casterState = casterState;
     const seen = new Set(lights.map(({ light }) => light));
     for (const [light, entry] of this.#entries) if (!seen.has(light)) this.#drop(light, entry);
@@ -39,6 +43,21 @@ export class RestingLights {
     this.#uploadOne();
     this.#beginOne(lights, now);
     return lights.map(({ light }) => this.#entries.get(light).map ?? null);
+  }
+
+  /** Whether a map is being uploaded. */
+  get isUploading() {
+    return [...this.#entries.values()].some(({ id, map, why }) => id !== undefined && !map && !why);
+  }
+
+  /** Whether any of the lights that were followed may still get its map. */
+  isWaiting(lights) {
+    const entries = [...this.#entries.values()];
+    const left = this.#most - entries.filter(({ map, id, why }) => map || (id !== undefined && why)).length;
+    return left > 0 && lights.some(({ light, numbers }) => {
+      const { map, why } = this.#entries.get(light) ?? {};
+      return !map && !why && !(numbers.radius > 0);
+    });
   }
 
   #followOne(light, numbers, now) {
