@@ -302,7 +302,7 @@ export class ExactShadows extends EventTarget {
     return this.#standing(this.#resting.follow(this.#lights, this.#casters.pending === 0));
   }
 
-  /** What a frame would show, and when to go on, for Progress. */
+  /** The state that a frame would show, and when to go on, for Progress. */
   #standing(maps = this.#maps) {
     const pending = this.#casters.pending > 0;
     const shown = maps.map((map) => map?.slot);

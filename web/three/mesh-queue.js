@@ -5,7 +5,7 @@
 const frameMilliseconds = 8;
 
 /** Milliseconds that ready meshes wait for others, so that lights are looked up meanwhile. */
-const patience = 1000;
+const patience = 2000;
 
 /** Triangles from which on the worker gets what was read so far. */
 const trianglesAtOnce = 16384;

@@ -1,4 +1,4 @@
-// What goes on between frames, and whether one more frame would look different.
+// Work between frames, and whether one more frame would look different.
 
 export class Progress {
   #work;

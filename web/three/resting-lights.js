@@ -3,8 +3,8 @@
 /** Milliseconds that a light and all casters must rest before a worker builds its map. */
 const restMilliseconds = 500;
 
-/** Bytes uploaded per frame: some milliseconds. */
-const bytesAFrame = 4 * 2 ** 20;
+/** Bytes uploaded in a step: some milliseconds. */
+const bytesAStep = 2 * 2 ** 20;
 
 /** Everything that the shadows of a light with a map depend on. */
 const keyOf = ({ kind, position, direction }) => (kind === 'directional' ? `${direction}` : `${position}`);
@@ -101,7 +101,7 @@ export class RestingLights {
   #uploadOne() {
     const entry = [...this.#entries.values()].find(({ id, map, why }) => id !== undefined && !map && !why);
     if (!entry) return;
-    if (this.#masks.uploadLookup(entry.id, bytesAFrame)) {
+    if (this.#masks.uploadLookup(entry.id, bytesAStep)) {
       const map = this.#masks.lookup(entry.id);
       if (map.why) entry.why = map.why;
       else entry.map = { ...map, slot: this.#freeSlot() };
