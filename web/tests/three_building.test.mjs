@@ -133,6 +133,54 @@ test('a building of many meshes starts in small steps, and is right', async () =
   await shared.check(page);
 });
 
+test('lights stay looked up while meshes load, which may move and go meanwhile', async () => {
+  const page = await openThree(shared);
+  const told = await page.evaluate(async () => {
+    const { three, yard, whiten, ExactShadows, cameraOf, rested, frame, redOf, comparedWithRays } = window.page;
+    const { building } = await import('/tests/building.js');
+    const { renderer, scene, light, ground } = yard({ width: 160, height: 90 });
+    whiten(scene);
+    const camera = cameraOf({ from: [9, 8, 10], to: [0, 0.6, 0], fov: 50 }, 16 / 9);
+    const shadows = new ExactShadows(renderer).add(scene);
+    const gl = renderer.getContext(), frames = [], errors = [];
+    await rested(shadows, scene, camera);
+    const model = building(90, { width: 7 });
+    model.traverse((object) => { if (object.isMesh) object.material = ground.material; });
+    scene.add(model);
+    const parts = [...model.children];
+    const other = new three.PerspectiveCamera();
+    for (let i = 0; i < 2 || shadows.cost.pending > 0; ++i) {
+      if (i === 1) {
+        parts[40].position.y += 0.3;
+        model.remove(parts[41]);
+        parts[42].geometry = new three.BoxGeometry(0.5, 0.5, 0.5);
+        parts[43].geometry = new three.SphereGeometry(0.3, 40, 30); // large
+      }
+      await frame();
+      renderer.render(scene, other); // the host's own, without shadows
+      errors.push(gl.getError());
+      shadows.render(scene, camera);
+      frames.push({ pending: shadows.cost.pending, lookedUp: shadows.cost.lookedUp });
+    }
+    const right = {};
+    for (const lookedUp of [0, 1]) {
+      if (lookedUp) await rested(shadows, scene, camera);
+      else shadows.render(scene, camera);
+      right[shadows.cost.lookedUp ? 'looked up' : 'masks'] = comparedWithRays(redOf(renderer), renderer, scene, camera, light);
+    }
+    return { frames, errors: errors.filter(Boolean), right };
+  });
+  assert.deepEqual(told.errors, []);
+  assert.deepEqual(told.frames[0], { pending: 90, lookedUp: 1 });
+  assert.equal(told.frames.at(-1).pending, 0);
+  for (const [name, { surfaces, dark, wrong, beyond }] of Object.entries(told.right)) {
+    assert.ok(surfaces > 1000 && dark > 50, `${name}: ${surfaces} pixels of surfaces, ${dark} in shadow`);
+    assert.ok(beyond <= 1 && wrong <= 0.05 * surfaces, `${name}: ${wrong} of ${surfaces} pixels are wrong, ${beyond} of them beyond outlines`);
+  }
+  assert.ok(told.right['looked up']);
+  await shared.check(page);
+});
+
 const hospital = '/shared/hospital-electrical.glb';
 const skip = existsSync(join(repository, '..', 'shared/scenes/hospital-electrical.glb')) ? false : 'the model is not here';
 

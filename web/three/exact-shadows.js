@@ -299,7 +299,9 @@ export class ExactShadows extends EventTarget {
   #goOn() {
     if (this.#lost) return null;
     this.#casters.advance();
-    return this.#standing(this.#resting.follow(this.#lights, this.#casters.pending === 0));
+    const maps = this.#resting.follow(this.#lights, this.#casters.pending === 0);
+    for (let slot = 0; slot < mostSlots; ++slot) if (!maps.some((map) => map?.slot === slot)) this.#hideMap(slot);
+    return this.#standing(maps);
   }
 
   /** The state that a frame would show, and when to go on, for Progress. */
@@ -325,9 +327,10 @@ export class ExactShadows extends EventTarget {
     for (let slot = 0; slot < mostSlots; ++slot) {
       const of = (name) => this.#uniforms[`${slotName(slot)}_${name}`];
       const map = maps.find((one) => one?.slot === slot);
-      edgeshadeMaps.value[slot] = map ? 1 : 0;
-      of('table').value = map ? this.#textures.at(firstMap + slot, map.texture) : null;
+      this.#hideMap(slot);
       if (!map) continue;
+      edgeshadeMaps.value[slot] = 1;
+      of('table').value = this.#textures.at(firstMap + slot, map.texture);
       of('tableSize').value.fromArray(map.tableSize);
       of('begins').value.fromArray(map.begins);
       of('size').value = map.size;
@@ -335,6 +338,12 @@ export class ExactShadows extends EventTarget {
       // In doubles, so that worlds may be large.
       of('mapFromHost').value.fromArray(map.mapFromWorld).multiply(camera.matrixWorld);
     }
+  }
+
+  /** Materials let go of a map that is gone. */
+  #hideMap(slot) {
+    this.#uniforms.edgeshadeMaps.value[slot] = 0;
+    this.#uniforms[`${slotName(slot)}_table`].value = null;
   }
 
   #showMasks(camera, { textures, nearness }) {
