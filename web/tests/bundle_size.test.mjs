@@ -89,6 +89,11 @@ import { ExactShadows } from 'edgeshade/three';
 export const viewer: EdgeshadeViewer = document.createElement('edgeshade-viewer');
 export const mesh: MaskMesh = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0] };
 export const masks: Promise<ShadowMasks> = ShadowMasks.create(document.createElement('canvas').getContext('webgl')!);
+export const onDemand = async (shadows: ExactShadows, ask: () => void): Promise<boolean> => {
+  shadows.addEventListener('change', ask);
+  await shadows.settled;
+  return shadows.needsUpdate;
+};
 export const bytes = (shadows: ExactShadows): number | undefined => shadows.cost?.bytes;
 // @ts-expect-error: they have types, which are not any
 export const wrong: boolean = [hourColors, new ExactShadows(1 as never).lightSamples];

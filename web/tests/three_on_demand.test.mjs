@@ -32,7 +32,7 @@ async function onDemand(act, options = {}) {
     };
     return (0, eval)(`(${text})`)({ ...world, three, camera, shadows, draw, settled, frames, building: (await import('/tests/building.js')).building });
   }, [act.toString(), options]);
-  await shared.check(page);
+  await shared.check(page, [/GPU stall due to ReadPixels/]);
   return told;
 }
 

@@ -9,8 +9,8 @@ import { isPosed, poseOf, sameNumbers, shapeOf, texcoordsOf, trianglesOf, versio
 /** Only meshes of up to this many triangles are prepared within a frame, or merged. */
 const fewTriangles = 500;
 
-/** New meshes of up to this many triangles in all are prepared within the frame. */
-const fewTrianglesAtOnce = 2000;
+/** New meshes of up to this many triangles in all are prepared within a frame, and within 60 frames. */
+const mostInFrame = 2000, mostInFrames = 16000;
 
 const materialsOf = (mesh) => [mesh.material].flat().filter(Boolean);
 /**
@@ -82,23 +82,29 @@ export class Casters {
   #alphaTests;
   #clippings;
   #touched;
+  #failed;
   #queue;
   #prepared = new Map(); // by key: {number or null while pending, users}
   #meshes = new Map();   // three.js's mesh: the engine's record of it
   #pending = 0;          // records in the queue
   #round = 0;            // number of follow()'s calls
   #revision = 0;
+  #atOnce = { since: 0, triangles: 0 }; // of new meshes that were prepared within frames
   #versions = [];        // of the mesh that is compared
   #problems = [];
   #told = new WeakSet(); // meshes that were warned of
 
-  /** `touched()` is called when the context's state has changed. */
-  constructor(masks, alphaTests, clippings, touched) {
+  /**
+   * `touched()` is called when the context's state has changed, `failed(sentence)` when a mesh can't
+   * take part.
+   */
+  constructor(masks, alphaTests, clippings, { touched, failed }) {
     this.#masks = masks;
     this.#alphaTests = alphaTests;
     this.#clippings = clippings;
     this.#touched = touched;
-    this.#queue = new MeshQueue(masks, (sentence) => this.#problems.push(sentence));
+    this.#failed = failed;
+    this.#queue = new MeshQueue(masks, (sentence) => this.#report(sentence));
   }
 
   /** Changes whenever masks of the same view may. */
@@ -186,9 +192,12 @@ export class Casters {
   #admit(fresh) {
     let triangles = 0;
     for (const { mesh, had } of fresh) if (had.shown === null && isSmall(mesh)) triangles += trianglesOf(mesh);
+    if (this.#round - this.#atOnce.since >= 60) this.#atOnce = { since: this.#round, triangles: 0 };
+    const many = triangles > mostInFrame || this.#atOnce.triangles + triangles > mostInFrames;
+    this.#atOnce.triangles += many ? 0 : triangles;
     for (const { mesh, role, had } of fresh) {
       const { entry } = had, small = isSmall(mesh);
-      const waits = small ? triangles > fewTrianglesAtOnce && had.shown === null && !mesh.isInstancedMesh : entry.number === null;
+      const waits = small ? many && had.shown === null && !mesh.isInstancedMesh : entry.number === null;
       if (waits) {
         this.#enqueue(mesh, role, had, small);
         continue;
@@ -250,7 +259,7 @@ export class Casters {
       entry.number = this.#masks.prepareNow(shape);
     } catch (error) {
       entry.number = -1;
-      this.#problems.push(error.message);
+      this.#report(error.message);
     }
   }
 
@@ -320,7 +329,7 @@ export class Casters {
     try {
       this.#masks.setClippings(id, clippings);
     } catch (error) {
-      this.#problems.push(error.message);
+      this.#report(error.message);
     }
   }
 
@@ -342,6 +351,11 @@ export class Casters {
     this.#release(had);
     if (had.queued) this.#pending -= 1;
     had.queued = false;
+  }
+
+  #report(sentence) {
+    this.#problems.push(sentence);
+    this.#failed(sentence);
   }
 
   #release({ key, entry }) {

@@ -39,7 +39,9 @@ export interface ExactShadowsOptions {
  * with clipShadows a material's planes also cut casters. At most 12 clip a mesh.
  *
  * The event 'change' says that one more frame would look different, though the scene hasn't changed:
- * meshes are ready, a light is looked up, or the context is restored.
+ * meshes are ready, a light is looked up, or the context is restored. The event 'error', an ErrorEvent
+ * with a sentence as its message, reports a mesh that can't take part, or that nothing works here;
+ * ready() and settled throw the same sentences.
  */
 export class ExactShadows extends EventTarget {
   /** `renderer`: with WebGL 2. Turn its own shadowMap off. Throws an Error with a sentence. */

@@ -114,12 +114,16 @@ export class ExactShadows extends EventTarget {
         if (this.#disposed) return masks.dispose();
         this.#masks = masks;
         this.#resetRenderer();
-        this.#casters = new Casters(masks, new AlphaTests(renderer), new Clippings(renderer), () => this.#resetRenderer());
+        this.#casters = new Casters(masks, new AlphaTests(renderer), new Clippings(renderer),
+          { touched: () => this.#resetRenderer(), failed: (message) => this.#tell(message) });
         this.#resting = new RestingLights(masks, this.#mostLookedUp, () => this.#resetRenderer());
         this.#progress.invalidate();
         return undefined;
       },
-      (error) => { this.#problem = error; });
+      (error) => {
+        this.#problem = error;
+        this.#tell(error.message);
+      });
   }
 
   /** Includes everything below an object from now on, including later additions. */
@@ -265,6 +269,11 @@ export class ExactShadows extends EventTarget {
       this.#resetRenderer();
     }
     return this.#drawn.masks;
+  }
+
+  /** Reports what stays wrong. */
+  #tell(message) {
+    this.dispatchEvent(new ErrorEvent('error', { message }));
   }
 
   /** Makes three.js set its state again, unless all state is kept. */

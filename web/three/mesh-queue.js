@@ -19,6 +19,7 @@ export class MeshQueue {
   #held = []; // steps that add meshes
   #heldSince = 0;
   #batch = null; // read, and not yet sent
+  #grows = false; // whether a mesh has come since the last advance()
   #calls = new Set();
 
   /** `report(sentence)` is called for failures. */
@@ -34,6 +35,7 @@ export class MeshQueue {
    */
   add(job) {
     this.#waiting.push(job);
+    this.#grows = true;
   }
 
   /** Promises of the worker's answers that are still to come. */
@@ -51,12 +53,15 @@ export class MeshQueue {
       if (step) changed = step() || changed;
       else if (!this.#read()) break;
     } while (performance.now() < until);
+    // While meshes keep coming, more of them are merged together.
+    if (this.#batch && this.#next === this.#waiting.length && !this.#grows) this.#send();
+    this.#grows = false;
     return changed;
   }
 
   /** Lets meshes be added once all are ready, or others take long. */
   #release() {
-    const isBusy = this.#waiting.length + this.#steps.length + this.#calls.size > 0;
+    const isBusy = this.#batch || this.#waiting.length + this.#steps.length + this.#calls.size > 0;
     if (isBusy && performance.now() - this.#heldSince < patience) return;
     this.#steps.push(...this.#held.splice(0));
   }
@@ -74,7 +79,7 @@ export class MeshQueue {
     if (!job.isWanted() || (!job.isSmall && job.entry.number !== null)) job.done();
     else if (job.isSmall) this.#readSmall(job);
     else this.#readLarge(job);
-    if (this.#batch && (this.#next === 0 || this.#batch.triangles >= trianglesAtOnce)) this.#send();
+    if (this.#batch?.triangles >= trianglesAtOnce) this.#send();
     return true;
   }
 
