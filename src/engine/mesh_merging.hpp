@@ -13,7 +13,7 @@ namespace edgeshade {
 // draws instead of thousands.
 
 /// Most triangles of a mesh that is worth merging; larger ones are draws of their own.
-inline constexpr std::size_t mostTrianglesOfMember = 512;
+inline constexpr std::size_t mostTrianglesOfMember = 1024;
 /// Triangles of a merged mesh: few enough to find its edges within a frame.
 inline constexpr std::size_t mostTrianglesMerged = 4096;
 /// Fewest meshes that are worth merging.

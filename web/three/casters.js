@@ -6,8 +6,8 @@ import { unclipped } from './clippings.js';
 import { MeshQueue } from './mesh-queue.js';
 import { isPosed, poseOf, sameNumbers, shapeOf, texcoordsOf, trianglesOf, versionsOf } from './mesh-shape.js';
 
-/** Only meshes of up to this many triangles are prepared within a frame, or merged. */
-const fewTriangles = 500;
+/** Only meshes of up to this many triangles are prepared within a frame, or merged (in the engine). */
+const fewTriangles = 500, mostMerged = 1024;
 
 /** New meshes of up to this many triangles in all are prepared within a frame, and within 60 frames. */
 const mostInFrame = 2000, mostInFrames = 16000;
@@ -18,7 +18,8 @@ const materialsOf = (mesh) => [mesh.material].flat().filter(Boolean);
  */
 const isShown = (material) => material.visible && !material.alphaHash && (!material.transparent || material.isShadowMaterial);
 
-const isSmall = (mesh) => trianglesOf(mesh) <= fewTriangles;
+/** Whether a mesh with this record is new, and may be merged. */
+const mayMerge = (mesh, { shown }) => shown === null && !mesh.isInstancedMesh && trianglesOf(mesh) <= mostMerged;
 
 const place = new Matrix4(), instance = new Matrix4();
 
@@ -191,15 +192,14 @@ export class Casters {
    */
   #admit(fresh) {
     let triangles = 0;
-    for (const { mesh, had } of fresh) if (had.shown === null && isSmall(mesh)) triangles += trianglesOf(mesh);
+    for (const { mesh, had } of fresh) triangles += mayMerge(mesh, had) ? trianglesOf(mesh) : 0;
     if (this.#round - this.#atOnce.since >= 60) this.#atOnce = { since: this.#round, triangles: 0 };
     const many = triangles > mostInFrame || this.#atOnce.triangles + triangles > mostInFrames;
     this.#atOnce.triangles += many ? 0 : triangles;
     for (const { mesh, role, had } of fresh) {
-      const { entry } = had, small = isSmall(mesh);
-      const waits = small ? many && had.shown === null && !mesh.isInstancedMesh : entry.number === null;
-      if (waits) {
-        this.#enqueue(mesh, role, had, small);
+      const { entry } = had, merges = mayMerge(mesh, had);
+      if ((many && merges) || (entry.number === null && trianglesOf(mesh) > fewTriangles)) {
+        this.#enqueue(mesh, role, had, merges);
         continue;
       }
       if (entry.number === null) this.#prepareNow(this.#shapeOf(mesh, role), entry);
@@ -207,7 +207,7 @@ export class Casters {
     }
   }
 
-  #enqueue(mesh, role, had, small) {
+  #enqueue(mesh, role, had, merges) {
     const { entry } = had;
     had.queued = true;
     this.#pending += 1;
@@ -217,10 +217,10 @@ export class Casters {
       if (open) had.queued = false;
       open = false;
     };
-    const isWanted = () => this.#meshes.get(mesh) === had && had.entry === entry && (had.shown === null || !small);
+    const isWanted = () => this.#meshes.get(mesh) === had && had.entry === entry && (had.shown === null || !merges);
     this.#queue.add({
       entry,
-      isSmall: small,
+      merges,
       shape: () => this.#shapeOf(mesh, role),
       matrix: () => numbersOf(mesh.matrixWorld),
       isWanted,

@@ -29,9 +29,9 @@ export class MeshQueue {
   }
 
   /**
-   * `job`: {entry, isSmall, shape(), matrix(), isWanted(), placed(id, matrix), done()}. `entry`:
-   * {number}, the prepared mesh, null until it is known, negative if it can't be prepared. Small
-   * meshes may be placed, merged with others, by the time done() is called.
+   * `job`: {entry, merges, shape(), matrix(), isWanted(), placed(id, matrix), done()}. `entry`:
+   * {number}, the prepared mesh, null until it is known, negative if it can't be prepared. Jobs
+   * with `merges` may be placed, merged with others, by the time done() is called.
    */
   add(job) {
     this.#waiting.push(job);
@@ -76,14 +76,14 @@ export class MeshQueue {
     if (this.#next === this.#waiting.length) return false;
     const job = this.#waiting[this.#next++];
     if (this.#next === this.#waiting.length) [this.#waiting, this.#next] = [[], 0];
-    if (!job.isWanted() || (!job.isSmall && job.entry.number !== null)) job.done();
-    else if (job.isSmall) this.#readSmall(job);
-    else this.#readLarge(job);
+    if (!job.isWanted() || (!job.merges && job.entry.number !== null)) job.done();
+    else if (job.merges) this.#readMember(job);
+    else this.#readAlone(job);
     if (this.#batch?.triangles >= trianglesAtOnce) this.#send();
     return true;
   }
 
-  #readSmall(job) {
+  #readMember(job) {
     const batch = (this.#batch ??= { entries: [], shapes: [], jobs: [], indices: new Map(), triangles: 0 });
     const mesh = batch.indices.get(job.entry) ?? batch.entries.length;
     if (mesh === batch.entries.length) {
@@ -95,8 +95,8 @@ export class MeshQueue {
     batch.jobs.push({ ...job, mesh, at: job.matrix() });
   }
 
-  /** A large mesh has a batch of its own. */
-  #readLarge(job) {
+  /** A mesh that is not merged has a batch of its own. */
+  #readAlone(job) {
     const { entry } = job;
     entry.batch?.jobs.push(job);
     if (entry.batch) return;
