@@ -106,6 +106,29 @@ class PreparedMesh {
     std::shared_ptr<const Data> data_;
 };
 
+/// Small meshes in their places, merged: one draw shows them all until one of them changes. Merging
+/// takes time linear in their triangles, on any thread and without a GL.
+class MergedMeshes {
+  public:
+    struct Data;
+    struct Member {
+        PreparedMesh mesh;
+        Matrix16 worldFromObject = identity16; ///< affine and invertible
+    };
+
+    /// Merges neighbours among `meshes`. Large and alpha-tested meshes, and those without enough
+    /// neighbours, are left out: add them one by one. Throws std::runtime_error.
+    static std::vector<MergedMeshes> of(std::span<const Member> meshes);
+    explicit MergedMeshes(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
+
+    /// The merged ones, as indices into `meshes`.
+    std::span<const std::size_t> members() const;
+    const std::shared_ptr<const Data>& data() const { return data_; }
+
+  private:
+    std::shared_ptr<const Data> data_;
+};
+
 /// A light in the world.
 struct MaskLight {
     enum class Kind { directional, point, spot };
@@ -192,8 +215,12 @@ class ShadowMasks {
     /// Adds a mesh; the others stay as they are. `worldFromObject`: affine and invertible.
     Id add(const PreparedMesh& mesh, const Matrix16& worldFromObject = identity16);
     Id add(const MaskMesh& mesh, const Matrix16& worldFromObject = identity16);
+    /// Adds each of the merged meshes, in the order of members(). What moves or changes later is
+    /// drawn by itself, and so are its neighbours, until they have rested.
+    std::vector<Id> add(const MergedMeshes& meshes);
     /// Uploads a mesh ahead of add(), so that no draw() is slowed by it.
     void upload(const PreparedMesh& mesh);
+    void upload(const MergedMeshes& meshes);
     /// Replaces the mesh, and keeps its place.
     void change(Id id, const PreparedMesh& mesh);
     void change(Id id, const MaskMesh& mesh);

@@ -10,18 +10,6 @@
 namespace edgeshade {
 namespace {
 
-glm::dmat4 placeOf(const Matrix16& numbers) {
-    const glm::dmat4 place = matrixOf(numbers);
-    for (const double value : numbers)
-        if (!std::isfinite(value))
-            throw InputError("A mesh's matrix has a number that is not finite.");
-    if (numbers[3] != 0.0 || numbers[7] != 0.0 || numbers[11] != 0.0 || numbers[15] != 1.0)
-        throw InputError("A mesh's matrix is not affine: its last row is not 0, 0, 0, 1.");
-    if (glm::determinant(glm::dmat3(place)) == 0.0)
-        throw InputError("A mesh's matrix is singular: it flattens the mesh.");
-    return place;
-}
-
 void requireTexels(const MaskTexels& texels) {
     const auto along = [](int size) { return static_cast<std::size_t>(std::max(size, 0)); };
     const std::size_t count = along(texels.width) * along(texels.height);
@@ -63,16 +51,28 @@ CasterScene::Id CasterScene::add(const PreparedMesh& mesh, const Matrix16& world
 }
 
 std::size_t CasterScene::freeBatch() {
-    const auto free = std::find_if(slots_.begin(), slots_.end(),
-                                   [](const Slot& of) { return of.use == Slot::Use::free; });
-    const auto at = static_cast<std::size_t>(free - slots_.begin());
-    if (free == slots_.end()) {
+    while (firstFree_ < slots_.size() && slots_[firstFree_].use != Slot::Use::free)
+        ++firstFree_;
+    if (firstFree_ == slots_.size()) {
         loaded_.scene.batches.emplace_back();
         loaded_.planePairs.emplace_back();
         gpu_->batches.emplace_back();
         slots_.emplace_back();
     }
-    return at;
+    return firstFree_;
+}
+
+std::vector<CasterScene::Id> CasterScene::add(const MergedMeshes& meshes) {
+    const MergedMeshes::Data& group = *meshes.data();
+    std::vector<std::size_t> batches;
+    for (const PlacedMesh& of : group.members) {
+        batches.push_back(freeBatch());
+        slots_[batches.back()].use = Slot::Use::mesh;
+        put(batches.back(), PreparedMesh(of.mesh));
+        place(batches.back(), of.worldFromMesh);
+    }
+    if (mergedTriangles_ + mostTrianglesMerged <= mostMerged) showMerged(batches, group.merged);
+    return {batches.begin(), batches.end()};
 }
 
 void CasterScene::change(Id id, const PreparedMesh& mesh) {
@@ -175,6 +175,7 @@ void CasterScene::remove(Id id) {
 void CasterScene::release(std::size_t batch) {
     show(batch, nullptr);
     slots_[batch] = {};
+    firstFree_ = std::min(firstFree_, batch);
 }
 
 void CasterScene::requireKnown(Id id) const {
@@ -272,7 +273,10 @@ void CasterScene::makeMerged(const std::vector<std::size_t>& members) {
     std::vector<PlacedMesh> placed;
     for (const std::size_t member : members)
         placed.push_back({slots_[member].mesh, loaded_.scene.batches[member].worldFromBatch});
-    const MergedMesh merged = merge(placed);
+    showMerged(members, merge(placed));
+}
+
+void CasterScene::showMerged(const std::vector<std::size_t>& members, const MergedMesh& merged) {
     const std::size_t batch = freeBatch();
     Slot& slot = slots_[batch];
     slot.use = Slot::Use::merged;

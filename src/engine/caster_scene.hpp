@@ -3,23 +3,19 @@
 #include "edgeshade/shadow_masks.hpp"
 #include "src/engine/caster_rest.hpp"
 #include "src/engine/lookup_work.hpp"
+#include "src/engine/merged_meshes.hpp"
 #include "src/engine/mesh_clip.hpp"
-#include "src/engine/mesh_merging.hpp"
+#include "src/engine/mesh_place.hpp"
 #include "src/scene/gpu_scene.hpp"
 #include "src/scene/load.hpp"
 #include "src/shadow/layers/layer_search.hpp"
 #include "src/shadow/view/kept_layers.hpp"
 
-#include <glm/gtc/type_ptr.hpp>
 #include <map>
 #include <optional>
 #include <vector>
 
 namespace edgeshade {
-
-inline glm::dmat4 matrixOf(const Matrix16& numbers) {
-    return glm::make_mat4(numbers.data());
-}
 
 /// A host's meshes as a scene without a file, one batch for each mesh. A batch keeps its number:
 /// the batch of a removed mesh stays, empty and hidden, until the next mesh takes it.
@@ -34,6 +30,7 @@ class CasterScene {
 
     // As in ShadowMasks. Uploads nothing. Throws InputError.
     Id add(const PreparedMesh& mesh, const Matrix16& worldFromObject);
+    std::vector<Id> add(const MergedMeshes& meshes);
     void change(Id id, const PreparedMesh& mesh);
     void setAlpha(Id id, const MaskAlpha& alpha);
     void setTint(Id id, const std::optional<std::array<float, 3>>& tint);
@@ -136,6 +133,8 @@ class CasterScene {
     void dissolve(std::size_t merged);
     std::vector<MergeCandidate> candidates() const;
     void makeMerged(const std::vector<std::size_t>& members);
+    /// Draws a merged mesh in place of its members.
+    void showMerged(const std::vector<std::size_t>& members, const MergedMesh& merged);
     AlphaLookup lookupOf(const MaskAlpha& alpha) const;
     void changed();
     /// Notes that a caster comes, goes, changes or moves.
@@ -149,7 +148,8 @@ class CasterScene {
 
     SidesLayout layout_;
     LoadedScene loaded_;
-    std::vector<Slot> slots_; ///< by batch
+    std::vector<Slot> slots_;   ///< by batch
+    std::size_t firstFree_ = 0; ///< no batch before it is free
     const PreparedMesh nothing_{MaskMesh{}};
     std::optional<GpuScene> gpu_;
     std::map<const PlanePairShadow*, Ahead> ahead_;

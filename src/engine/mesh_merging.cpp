@@ -36,6 +36,10 @@ void append(const PlacedMesh& of, const glm::dvec3& origin, std::vector<float>& 
 
 } // namespace
 
+MergeCandidate candidateOf(std::size_t number, const PlacedMesh& of) {
+    return {number, of.mesh->material(), of.mesh->triangles(), worldBox({&of, 1})};
+}
+
 std::vector<std::size_t> neighbours(std::span<const MergeCandidate> candidates) {
     if (candidates.empty()) return {};
     const MergeCandidate& seed = candidates.front();

@@ -13,7 +13,7 @@ namespace edgeshade {
 // draws instead of thousands.
 
 /// Most triangles of a mesh that is worth merging; larger ones are draws of their own.
-inline constexpr std::size_t mostTrianglesOfMember = 512;
+inline constexpr std::size_t mostTrianglesOfMember = 1024;
 /// Triangles of a merged mesh: few enough to find its edges within a frame.
 inline constexpr std::size_t mostTrianglesMerged = 4096;
 /// Fewest meshes that are worth merging.
@@ -36,6 +36,9 @@ struct MergeCandidate {
     std::size_t triangles = 0;
     Box box{}; ///< in the world
 };
+
+/// A mesh's candidate. `number`: the caller's.
+MergeCandidate candidateOf(std::size_t number, const PlacedMesh& mesh);
 
 /// The numbers of the first candidate and of its nearest neighbours that fit into one mesh with it.
 std::vector<std::size_t> neighbours(std::span<const MergeCandidate> candidates);

@@ -243,6 +243,14 @@ ShadowMasks::Id ShadowMasks::add(const MaskMesh& mesh, const Matrix16& worldFrom
     return add(impl_->prepared(mesh), worldFromObject);
 }
 
+std::vector<ShadowMasks::Id> ShadowMasks::add(const MergedMeshes& meshes) {
+    return impl_->drawing->casters.add(meshes);
+}
+
+void ShadowMasks::upload(const MergedMeshes& meshes) {
+    upload(meshes.data()->merged.mesh);
+}
+
 void ShadowMasks::upload(const PreparedMesh& mesh) {
     impl_->withStateKept([&] { impl_->drawing->casters.upload(mesh); });
 }

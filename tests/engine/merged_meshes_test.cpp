@@ -1,9 +1,12 @@
 // Small meshes that rest are merged, and masks stay what they were.
+#include "src/engine/lookup_work.hpp"
 #include "src/engine/mesh_merging.hpp"
 #include "tests/engine/masks_in_a_host.hpp"
 
+#include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
+#include <limits>
 #include <stdexcept>
 
 namespace edgeshade {
@@ -70,6 +73,57 @@ TEST(MergedMeshes, TakeTheDrawsOfFewMeshesOnceTheyRest) {
     EXPECT_EQ(yard.drawn(draws), single);
     EXPECT_LE(yard.batches(), 3u);
     EXPECT_EQ(yard.masks.casterState(), state) << "lights that rest keep their lookups";
+}
+
+TEST(MergedMeshes, MadeBeforeTheyAreAddedTakeFewDrawsFromTheFirst) {
+    const gl::HeadlessContext context({hostWidth, hostHeight});
+    const Scene scene = box(), ground = yard().scene();
+    const std::vector<glm::dmat4> places = rows(36);
+    const PreparedMesh prepared(meshOf(geometryOf(scene)));
+    std::vector<MergedMeshes::Member> members;
+    for (const glm::dmat4& place : places)
+        members.push_back({prepared, numbersOf(place)});
+    const std::vector<MergedMeshes> made = MergedMeshes::of(members);
+    ASSERT_EQ(made.size(), 1u);
+    ASSERT_EQ(made[0].members().size(), 36u);
+    Yard single(places, meshOf(geometryOf(scene))), merged({}, meshOf(geometryOf(scene)));
+    merged.masks.upload(made[0]);
+    const std::vector<ShadowMasks::Id> ids = merged.masks.add(made[0]);
+    EXPECT_EQ(merged.drawn(), single.drawn());
+    EXPECT_EQ(merged.batches(), 2u);
+    EXPECT_EQ(merged.masks.lookupWork({}).data()->task.casters.size(), 37u)
+        << "lookups have each mesh by itself";
+    const glm::dmat4 away = glm::translate(glm::dmat4(1.0), {0.5, 2.0, 1.5});
+    merged.masks.move(ids[7], numbersOf(away));
+    single.masks.move(single.ids[made[0].members()[7]], numbersOf(away));
+    EXPECT_EQ(merged.drawn(), single.drawn());
+    EXPECT_EQ(merged.batches(), 37u);
+    for (const ShadowMasks::Id id : ids)
+        merged.masks.remove(id);
+    EXPECT_EQ(merged.masks.lookupWork({}).data()->task.casters.size(), 1u);
+}
+
+TEST(MergedMeshes, LeaveOutLargeAlphaTestedAndLonelyMeshes) {
+    const Scene scene = box();
+    MaskMesh tested = meshOf(geometryOf(scene));
+    tested.alphaTested = true;
+    std::vector<float> many;
+    for (std::size_t i = 0; i < 3 * 3 * (mostTrianglesOfMember + 1); ++i)
+        many.push_back(static_cast<float>(i * i % 97));
+    const PreparedMesh small(meshOf(geometryOf(scene))),
+        large(MaskMesh{.positions = many, .indices = {}}), holes(tested);
+    const glm::dmat4 faraway = glm::translate(glm::dmat4(1.0), {1e6, 0, 0});
+    std::vector<MergedMeshes::Member> members{{large}, {holes}, {small, numbersOf(faraway)}};
+    for (const glm::dmat4& place : rows(5))
+        members.push_back({small, numbersOf(place)});
+    const std::vector<MergedMeshes> made = MergedMeshes::of(members);
+    ASSERT_EQ(made.size(), 1u);
+    std::vector<std::size_t> merged(made[0].members().begin(), made[0].members().end());
+    std::sort(merged.begin(), merged.end());
+    EXPECT_EQ(merged, (std::vector<std::size_t>{3, 4, 5, 6, 7}));
+    EXPECT_TRUE(MergedMeshes::of({}).empty());
+    members.front().worldFromObject[0] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW(MergedMeshes::of(members), std::runtime_error);
 }
 
 TEST(MergedMeshes, FollowAMemberThatMovesChangesOrGoes) {

@@ -4,6 +4,8 @@
 #include "edgeshade/shadow_masks.hpp"
 #include "preprocess/base/error.hpp"
 #include "web/masks/lookup_maker.hpp"
+#include "web/masks/mesh_arguments.hpp"
+#include "web/masks/mesh_packer.hpp"
 #include "web/masks/mesh_transfer.hpp"
 #include "web/masks/web_functions.hpp"
 #include "web/page_bytes.hpp"
@@ -15,31 +17,6 @@
 
 namespace edgeshade::web {
 namespace {
-
-template <class T>
-const T* at(std::uintptr_t address) {
-    return reinterpret_cast<const T*>(address);
-}
-
-Matrix16 matrixAt(std::uintptr_t address) {
-    Matrix16 matrix{};
-    std::copy_n(at<double>(address), matrix.size(), matrix.begin());
-    return matrix;
-}
-
-/// `flags`, from the lowest bit: casts, double-sided, bends, alpha-tested, visible.
-MaskMesh meshAt(std::uintptr_t positions, std::size_t floats, std::uintptr_t indices,
-                std::size_t count, std::uintptr_t texcoords, std::size_t texcoordFloats,
-                unsigned flags) {
-    return {.positions = {at<float>(positions), floats},
-            .indices = {at<std::uint32_t>(indices), count},
-            .casts = (flags & 1u) != 0,
-            .doubleSided = (flags & 2u) != 0,
-            .bends = (flags & 4u) != 0,
-            .alphaTested = (flags & 8u) != 0,
-            .texcoords = {at<float>(texcoords), texcoordFloats},
-            .visible = (flags & 16u) != 0};
-}
 
 /// `numbers`: width, height, wraps along u and v (MaskTexels::Wrap), whether they are linear.
 MaskTexels texelsAt(const std::uint16_t* alpha, const std::int32_t* numbers) {
@@ -121,6 +98,24 @@ class PageMasks {
         int id = -1;
         done([&] { id = static_cast<int>(masks().add(meshes_.at(mesh), matrixAt(matrix))); });
         return id;
+    }
+    /// Adds and uploads merged meshes from the worker: `size` bytes from malloc(), which it frees.
+    /// `meshes`: numbers of `count` members, which their ids replace. `matrices`: 16 numbers for
+    /// each.
+    bool addMerged(std::uintptr_t address, std::size_t size, std::uintptr_t meshes,
+                   std::uintptr_t matrices, std::size_t count) {
+        return done([&] {
+            const PageBytes bytes(address, size);
+            auto* const numbers = reinterpret_cast<int*>(meshes);
+            std::vector<MergedMeshes::Member> members;
+            for (std::size_t i = 0; i < count; ++i)
+                members.push_back(
+                    {meshes_.at(numbers[i]), matrixAt(matrices + i * sizeof(Matrix16))});
+            const MergedMeshes merged = mergedFromTransfer(bytes.view(), members);
+            masks().upload(merged);
+            const std::vector<ShadowMasks::Id> ids = masks().add(merged);
+            std::copy(ids.begin(), ids.end(), numbers);
+        });
     }
     bool change(int id, int mesh) {
         return done([&] { masks().change(idOf(id), meshes_.at(mesh)); });
@@ -297,24 +292,6 @@ class PageMasks {
     std::vector<double> numbers_;
 };
 
-/// Finds a mesh's edges, in a worker.
-class MeshPacker {
-  public:
-    /// Returns "" or the sentence of a failure.
-    std::string pack(std::uintptr_t positions, std::size_t floats, std::uintptr_t indices,
-                     std::size_t count, std::uintptr_t texcoords, std::size_t texcoordFloats,
-                     unsigned flags) {
-        return sentenceOfFailure([&] {
-            bytes_ = toTransfer(PreparedMesh(
-                meshAt(positions, floats, indices, count, texcoords, texcoordFloats, flags)));
-        });
-    }
-    emscripten::val bytes() const { return viewOf(bytes_); }
-
-  private:
-    Bytes bytes_;
-};
-
 EMSCRIPTEN_BINDINGS(edgeshade_masks) {
     emscripten::class_<PageMasks>("Masks")
         .constructor<>()
@@ -325,6 +302,7 @@ EMSCRIPTEN_BINDINGS(edgeshade_masks) {
         .function("upload", &PageMasks::upload)
         .function("release", &PageMasks::release)
         .function("add", &PageMasks::add)
+        .function("addMerged", &PageMasks::addMerged)
         .function("change", &PageMasks::change)
         .function("addTexels", &PageMasks::addTexels)
         .function("releaseTexels", &PageMasks::releaseTexels)
@@ -362,7 +340,12 @@ EMSCRIPTEN_BINDINGS(edgeshade_masks) {
         .function("texels", &LookupMaker::texels);
     emscripten::class_<MeshPacker>("MeshPacker")
         .constructor<>()
+        .function("clear", &MeshPacker::clear)
         .function("pack", &MeshPacker::pack)
+        .function("merge", &MeshPacker::merge)
+        .function("mergedCount", &MeshPacker::mergedCount)
+        .function("members", &MeshPacker::members)
+        .function("mergedBytes", &MeshPacker::mergedBytes)
         .function("bytes", &MeshPacker::bytes);
 }
 

@@ -1,21 +1,19 @@
 #include "web/masks/mesh_transfer.hpp"
 
-#include "src/engine/prepared_mesh.hpp"
+#include "src/engine/merged_meshes.hpp"
+#include "src/engine/mesh_place.hpp"
 #include "web/mesh_archive.hpp"
 
 namespace edgeshade::web {
+namespace {
 
-Bytes toTransfer(const PreparedMesh& mesh) {
-    Bytes bytes;
-    Writer writer(bytes);
-    transfer(writer, *mesh.data()->geometry);
-    transfer(writer, *mesh.data()->shadow);
-    writer(mesh.data()->alphaTested, mesh.data()->alphaCorners);
-    return bytes;
+void write(Writer& writer, const PreparedMesh::Data& mesh) {
+    transfer(writer, *mesh.geometry);
+    transfer(writer, *mesh.shadow);
+    writer(mesh.alphaTested, mesh.alphaCorners);
 }
 
-PreparedMesh meshFromTransfer(std::span<const std::uint8_t> bytes) {
-    Reader reader(bytes);
+PreparedMesh read(Reader& reader) {
     Geometry geometry;
     transfer(reader, geometry);
     auto shadow = std::make_shared<PlanePairShadow>();
@@ -23,6 +21,42 @@ PreparedMesh meshFromTransfer(std::span<const std::uint8_t> bytes) {
     PreparedMesh::Data data{CopyOnWrite<Geometry>(std::move(geometry)), std::move(shadow)};
     reader(data.alphaTested, data.alphaCorners);
     return PreparedMesh(std::make_shared<const PreparedMesh::Data>(std::move(data)));
+}
+
+} // namespace
+
+Bytes toTransfer(const PreparedMesh& mesh) {
+    Bytes bytes;
+    Writer writer(bytes);
+    write(writer, *mesh.data());
+    return bytes;
+}
+
+PreparedMesh meshFromTransfer(std::span<const std::uint8_t> bytes) {
+    Reader reader(bytes);
+    return read(reader);
+}
+
+Bytes toTransfer(const MergedMeshes& meshes) {
+    const MergedMesh& merged = meshes.data()->merged;
+    Bytes bytes;
+    Writer writer(bytes);
+    writer(merged.worldFromMerged);
+    write(writer, *merged.mesh.data());
+    return bytes;
+}
+
+MergedMeshes mergedFromTransfer(std::span<const std::uint8_t> bytes,
+                                std::span<const MergedMeshes::Member> members) {
+    Reader reader(bytes);
+    glm::dmat4 worldFromMerged{1.0};
+    reader(worldFromMerged);
+    MergedMeshes::Data data{{}, {}, {read(reader), worldFromMerged}};
+    for (const MergedMeshes::Member& of : members) {
+        data.numbers.push_back(data.members.size());
+        data.members.push_back({of.mesh.data(), placeOf(of.worldFromObject)});
+    }
+    return MergedMeshes(std::make_shared<const MergedMeshes::Data>(std::move(data)));
 }
 
 } // namespace edgeshade::web

@@ -13,4 +13,12 @@ Bytes toTransfer(const PreparedMesh& mesh);
 /// The mesh, restored.
 PreparedMesh meshFromTransfer(std::span<const std::uint8_t> bytes);
 
+/// Merged meshes, likewise, without their members, which the page has.
+Bytes toTransfer(const MergedMeshes& meshes);
+
+/// The merged meshes, restored. `members`: those whose indices members() of the merged ones lists,
+/// in that order.
+MergedMeshes mergedFromTransfer(std::span<const std::uint8_t> bytes,
+                                std::span<const MergedMeshes::Member> members);
+
 } // namespace edgeshade::web

@@ -93,8 +93,31 @@ export class ShadowMasks {
 
   /** Finds a mesh's edges in a worker. Resolves with its number. */
   async prepare(mesh) {
-    const bytes = await this.#packing.pack(meshNumbers(mesh));
+    return this.take(await this.#packing.pack(meshNumbers(mesh)));
+  }
+
+  /**
+   * Finds the edges of many meshes in a worker, and merges small neighbours among places: {mesh:
+   * index, matrix}. Resolves with {meshes, merged}: what take() takes of each mesh; {members:
+   * indices of places, bytes} for addMerged().
+   */
+  prepareTogether(meshes, places) {
+    return this.#packing.packTogether(meshes.map(meshNumbers), places.map(({ mesh }) => mesh), places.flatMap(({ matrix }) => [...matrix]));
+  }
+
+  /** Takes over a mesh that prepareTogether() prepared. Returns its number. */
+  take(bytes) {
+    if (typeof bytes === 'string') throw new Error(bytes);
     return this.#numberOf(this.#masks.take(...putBytes(this.#program, bytes)));
+  }
+
+  /** Adds merged neighbours, and uploads them: their meshes' numbers and places. Returns their ids. */
+  addMerged(bytes, meshes, matrices) {
+    const numbers = Int32Array.from(meshes), places = Float64Array.from(matrices.flatMap((matrix) => [...matrix]));
+    return withCopies(this.#program, [numbers, places], ([first, second]) => {
+      this.#require(this.#inContext(() => this.#masks.addMerged(...putBytes(this.#program, bytes), first, second, numbers.length)));
+      return [...new Int32Array(this.#program.HEAPU8.buffer, first, numbers.length)];
+    });
   }
 
   /** The same, synchronously. */

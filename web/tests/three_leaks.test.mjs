@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { useBrowser } from './support/browser.mjs';
+import { times } from './support/long.mjs';
 import { openThree } from './support/three.mjs';
 
 const shared = useBrowser();
@@ -63,5 +64,62 @@ test('a program that the host has deleted while in use stays deleted', async () 
     return [Boolean(program), gl.getError(), gl.getParameter(gl.CURRENT_PROGRAM) === null];
   });
   assert.deepEqual(errors, [true, 0, true]);
+  await shared.check(page);
+});
+
+/** Cycles of adding and removing 100 meshes. */
+const cycles = times(12, 200);
+
+/** Keeps the memories of the page's programs in `memories`. */
+function keepMemories() {
+  window.memories = [];
+  const { instantiate } = WebAssembly;
+  WebAssembly.instantiate = async (...given) => {
+    const made = await instantiate.apply(WebAssembly, given);
+    window.memories.push(...Object.values((made.instance ?? made).exports).filter((value) => value instanceof WebAssembly.Memory));
+    return made;
+  };
+}
+
+test(`${cycles} cycles of adding and removing 100 meshes leave nothing behind`, async () => {
+  const page = await openThree(shared, 'three', { init: keepMemories });
+  const told = await page.evaluate(async (count) => {
+    const { yard, ExactShadows, cameraOf, drawn } = window.page;
+    const { building } = await import('/tests/building.js');
+    const { renderer, scene } = yard({ width: 80, height: 60 });
+    const camera = cameraOf({ from: [5, 4, 6], to: [0, 0.6, 0], fov: 50 }, 80 / 60);
+    const shadows = new ExactShadows(renderer).add(scene);
+    await drawn(shadows, scene, camera);
+    const heaps = [], pending = [], batches = [], bytes = [], memory = [];
+    for (let i = 0; i < count; ++i) {
+      const model = building(100, { seed: i + 1 });
+      scene.add(model);
+      shadows.render(scene, camera);
+      if (i % 3 === 0) await shadows.ready(); // otherwise they go while they are pending
+      shadows.render(scene, camera);
+      scene.remove(model);
+      model.traverse((object) => object.geometry?.dispose());
+      shadows.render(scene, camera);
+      await shadows.ready();
+      shadows.render(scene, camera);
+      pending.push(shadows.cost.pending);
+      batches.push(shadows.cost.batches);
+      bytes.push(shadows.cost.bytes);
+      memory.push(window.memories.reduce((sum, { buffer }) => sum + buffer.byteLength, 0));
+      await new Promise((resolve) => { setTimeout(resolve, 20); });
+      window.gc();
+      heaps.push(performance.memory.usedJSHeapSize);
+    }
+    return { heaps, pending, batches, bytes, memory };
+  }, cycles);
+  const median = (list) => [...list].sort((a, b) => a - b)[list.length >> 1];
+  const third = Math.floor(cycles / 3);
+  const begin = median(told.heaps.slice(2, 2 + third)), end = median(told.heaps.slice(-third));
+  console.log(`heap of JavaScript: ${(begin / 1e6).toFixed(2)} MB, then ${(end / 1e6).toFixed(2)} MB; of the program ${told.memory[2]}, then ${told.memory.at(-1)} bytes; on the GPU ${told.bytes.at(2)}, then ${told.bytes.at(-1)} bytes`);
+  assert.ok(told.pending.every((number) => number === 0));
+  assert.deepEqual([...new Set(told.batches)], [2], 'the ground and the box');
+  assert.equal(told.bytes.at(-1), told.bytes.at(2));
+  assert.ok(told.memory[2] > 1e6 && told.memory.at(-1) <= told.memory[third], 'the memory of the program does not grow');
+  assert.ok(end < begin + 2e6, `${begin} bytes, then ${end}`);
   await shared.check(page);
 });

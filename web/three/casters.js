@@ -5,16 +5,23 @@ import { alphaTestedCasting, isAlphaTested, sameAlpha, texcoordsNameOf } from '.
 import { unclipped } from './clippings.js';
 import { canPlaceFar, nearOrigin } from './far-vertices.js';
 import { MeshParts, whyNotInMasks } from './mesh-parts.js';
-import { isPosed, poseOf, sameNumbers, shapeOf, texcoordsOf, versionsOf } from './mesh-shape.js';
+import { MeshQueue } from './mesh-queue.js';
+import { isPosed, poseOf, sameNumbers, shapeOf, texcoordsOf, trianglesOf, versionsOf } from './mesh-shape.js';
 import { isSeeThrough, requireTransparentCast, tintObstacleOf, tintOf } from './see-through.js';
 
-/** Up to this many triangles edges are found immediately, well within a frame. */
-const fewTriangles = 500;
+/** Only meshes of up to this many triangles are prepared within a frame, or merged (in the engine). */
+const fewTriangles = 500, mostMerged = 1024;
+
+/** New meshes of up to this many triangles in all are prepared within a frame, and within 60 frames. */
+const mostInFrame = 2000, mostInFrames = 16000;
 
 /** A plane that clips everything. */
 const nothingStays = [0, 0, 0, -1];
 
 const place = new Matrix4(), instance = new Matrix4();
+
+/** Whether a mesh with this record is new, and may be merged. */
+const mayMerge = (mesh, { shown }) => shown === null && !mesh.isInstancedMesh && trianglesOf(mesh) <= mostMerged;
 
 /**
  * How the mask engine treats a mesh with one material; null: not at all. `alphaTested`: of
@@ -74,30 +81,53 @@ function placesOf(mesh, origin) {
   });
 }
 
+/** The engine's record of a part, which stands for the `whole` mesh. */
+const recordOf = (whole) => ({ whole, key: null, entry: null, ids: [], places: [], alphas: [], tints: [], shown: null, clippings: unclipped,
+  queued: false, round: 0, changed: 0 });
+
 export class Casters {
   #masks;
   #alphaTests;
   #clippings;
-  #prepared = new Map(); // by key: {number or null while pending, users, promise, origin of its
-                         // positions; ahead: still to upload}
-  #meshes = new Map();   // three.js's mesh: the engine's record of it
+  #touched;
+  #failed;
+  #queue;
+  #prepared = new Map(); // by key: {number or null while pending, users, origin of its positions}
+  #meshes = new Map();   // by part: the engine's record of it
+  #pending = 0;          // records in the queue
+  #round = 0;            // number of follow()'s calls
+  #revision = 0;
+  #atOnce = { since: 0, triangles: 0 }; // of new meshes that were prepared within frames
+  #versions = [];        // of the mesh that is compared
   #problems = [];
   #parts;
   #warnings;
   #cutsOut = false;
   #tints = false;
 
-  constructor(masks, alphaTests, clippings, warnings) {
+  /**
+   * `touched()` is called when the context's state has changed, `failed(sentence)` when a mesh can't
+   * take part.
+   */
+  constructor(masks, alphaTests, clippings, warnings, { touched, failed }) {
     this.#masks = masks;
     this.#warnings = warnings;
+    this.#touched = touched;
+    this.#failed = failed;
+    this.#queue = new MeshQueue(masks, (sentence) => this.#report(sentence));
     this.#alphaTests = alphaTests;
     this.#clippings = clippings;
     this.#parts = new MeshParts(clippings);
   }
 
-  /** Number of meshes whose edges aren't found yet, or that aren't uploaded. */
+  /** Changes whenever masks of the same view may. */
+  get revision() {
+    return this.#revision;
+  }
+
+  /** Number of meshes that the engine doesn't have yet as they are. */
   get pending() {
-    return [...this.#prepared.values()].filter(({ number, ahead }) => number === null || ahead).length;
+    return this.#pending;
   }
 
   /**
@@ -121,34 +151,38 @@ export class Casters {
     return this.#tints;
   }
 
-  /** Resolves when nothing is pending; throws any error since the last call. */
+  /** Resolves when no worker is busy; throws any error since the last call. */
   async settled() {
-    while (this.#waiting.length) await Promise.allSettled(this.#waiting.map(({ promise }) => promise));
+    while (this.#queue.calls.length) await Promise.all(this.#queue.calls);
     if (this.#problems.length) throw new Error(this.#problems.splice(0).join(' '));
   }
 
-  get #waiting() {
-    return [...this.#prepared.values()].filter(({ number }) => number === null);
+  /** Works for some milliseconds on pending meshes. */
+  advance() {
+    if (this.#queue.advance()) this.#touched();
   }
 
-  /** Makes the engine have exactly these meshes in their current state, except those whose edges
-   * are still being found. `alphaTestedCast`, `transparentCast`: as in ExactShadows. */
+  /** Makes the engine have exactly these meshes in their current state, except those that are
+   * pending. `alphaTestedCast`, `transparentCast`: as in ExactShadows. */
   follow(meshes, alphaTestedCast, transparentCast) {
     requireTransparentCast(transparentCast);
-    const seen = new Set(), alphaTested = alphaTestedCasting(alphaTestedCast);
+    const alphaTested = alphaTestedCasting(alphaTestedCast), fresh = [];
+    this.advance();
+    this.#round += 1;
+    let count = 0;
     this.#cutsOut = this.#tints = false;
     for (const mesh of meshes) {
       for (const part of this.#parts.of(mesh) ?? [mesh]) {
         const role = roleOf(part, alphaTested, transparentCast);
         if (!role || this.#isLeftOut(part, role, mesh)) continue;
-        seen.add(part);
+        count += 1;
         this.#cutsOut ||= Boolean(role.cutsOut);
         this.#tints ||= Boolean(role.tinting);
-        this.#followOne(part, role, mesh);
+        this.#followOne(part, role, mesh, fresh);
       }
     }
-    for (const mesh of [...this.#meshes.keys()]) if (!seen.has(mesh)) this.#drop(mesh);
-    this.#uploadOne();
+    if (count < this.#meshes.size) for (const [part, had] of this.#meshes) if (had.round !== this.#round) this.#drop(part);
+    this.#admit(fresh);
   }
 
   /** Whether masks can't show a mesh; warns once of what it lacks. */
@@ -160,14 +194,6 @@ export class Casters {
 
   #warn(mesh, what) {
     this.#warnings.warn(mesh, `Mesh '${mesh.name}' ${what}.`);
-  }
-
-  /** Uploads a large mesh in one frame, and adds it in the next. */
-  #uploadOne() {
-    const entry = [...this.#prepared.values()].find(({ number, ahead }) => ahead && number !== null);
-    if (!entry) return;
-    entry.ahead = false;
-    if (entry.number >= 0) this.#masks.upload(entry.number);
   }
 
   /**
@@ -198,58 +224,98 @@ export class Casters {
     for (const mesh of [...this.#meshes.keys()]) this.#drop(mesh);
   }
 
-  /** `whole`: the mesh that a part stands for. */
-  #followOne(mesh, role, whole) {
+  /** Follows a part of a mesh, or adds it to the `fresh` ones, which may have to wait. */
+  #followOne(mesh, role, whole, fresh) {
     let had = this.#meshes.get(mesh);
-    if (!had) this.#meshes.set(mesh, had = { key: null, ids: [], places: [], alphas: [], tints: [], shown: null, clippings: unclipped });
-    Object.assign(had, { casts: role.casts, cutsOut: Boolean(role.cutsOut), whole });
-    if (isPosed(mesh)) this.#pose(mesh, role, had);
+    if (!had) this.#meshes.set(mesh, had = recordOf(whole));
+    Object.assign(had, { casts: role.casts, cutsOut: Boolean(role.cutsOut), whole, round: this.#round });
+    const posed = isPosed(mesh);
+    if (posed) this.#pose(mesh, role, had);
     else this.#followShape(mesh, role, had);
-    const { number: found = null, ahead, origin } = this.#prepared.get(had.key) ?? {};
-    if (found === null || ahead) return;
-    const isFar = origin.some((number) => number !== 0);
+    if (had.queued && !posed) return;
+    if (had.entry.number === null || (had.shown === null && !posed)) fresh.push({ mesh, role, had });
+    else this.#finish(mesh, role, had);
+  }
+
+  /** Brings a mesh that is prepared up to date. */
+  #finish(mesh, role, had) {
+    const { number, origin } = had.entry;
+    const isFar = origin.some((at) => at !== 0);
     if (isFar && !canPlaceFar(mesh)) this.#warn(had.whole, "has imprecise shadows: its instances or bones move vertices that are far from its origin");
     this.#clip(mesh, had);
-    this.#place(mesh, found, origin, had);
+    this.#place(mesh, number, origin, had);
     if (role.tinting || had.tints.length) this.#setTint(mesh, role.tinting, had);
-    if (role.tested) this.#setAlpha(mesh, role.tested, had);
+    if (!role.tested) return;
+    this.#revision += 1; // the texture may show something else in each frame
+    this.#setAlpha(mesh, role.tested, had);
+  }
+
+  /**
+   * Prepares a few small meshes immediately, and others by and by. Small ones whose shape has changed
+   * don't wait, as it may change in each frame.
+   */
+  #admit(fresh) {
+    let triangles = 0;
+    for (const { mesh, had } of fresh) triangles += mayMerge(mesh, had) ? trianglesOf(mesh) : 0;
+    if (this.#round - this.#atOnce.since >= 60) this.#atOnce = { since: this.#round, triangles: 0 };
+    const many = triangles > mostInFrame || this.#atOnce.triangles + triangles > mostInFrames;
+    this.#atOnce.triangles += many ? 0 : triangles;
+    for (const { mesh, role, had } of fresh) {
+      const { entry } = had, merges = mayMerge(mesh, had);
+      if ((many && merges) || (entry.number === null && trianglesOf(mesh) > fewTriangles)) {
+        this.#enqueue(mesh, role, had, merges);
+        continue;
+      }
+      if (entry.number === null) this.#prepareNow(this.#shapeOf(mesh, role, entry), entry);
+      this.#finish(mesh, role, had);
+    }
+  }
+
+  #enqueue(mesh, role, had, merges) {
+    const { entry } = had;
+    had.queued = true;
+    this.#pending += 1;
+    let open = true;
+    const close = () => {
+      if (open && had.queued) this.#pending -= 1;
+      if (open) had.queued = false;
+      open = false;
+    };
+    const isWanted = () => this.#meshes.get(mesh) === had && had.entry === entry && (had.shown === null || !merges);
+    this.#queue.add({
+      entry,
+      merges,
+      shape: () => this.#shapeOf(mesh, role, entry),
+      matrix: () => numbersOf(mesh.matrixWorld, entry.origin),
+      isWanted,
+      placed: (id, at) => {
+        this.#revision += 1;
+        Object.assign(had, { ids: [id], places: [at], alphas: [], tints: [], shown: entry.number, clippings: unclipped, changed: performance.now() });
+        close();
+      },
+      done: () => {
+        if (isWanted() && entry.number !== null) this.#finish(mesh, role, had);
+        close();
+      },
+    });
   }
 
   #followShape(mesh, role, had) {
     const { geometry } = mesh;
-    const versions = versionsOf(mesh, role.texcoords);
+    const versions = versionsOf(mesh, role.texcoords, this.#versions);
     if (had.geometry === geometry && had.roleKey === role.key && sameNumbers(had.versions, versions)) return;
-    Object.assign(had, { geometry, roleKey: role.key, versions });
-    this.#prepare(mesh, role, `${geometry.uuid} ${versions} ${role.key}`, had);
+    Object.assign(had, { geometry, roleKey: role.key, versions: [...versions] });
+    this.#use(`${geometry.uuid} ${versions} ${role.key}`, had);
   }
 
-  /** Prepares a geometry that several meshes may share. */
-  #prepare(mesh, role, key, had) {
+  /** Finds or makes the entry of a geometry that several meshes may share. */
+  #use(key, had) {
     if (had.key === key) return;
-    this.#release(had.key);
-    had.key = key;
-    const known = this.#prepared.get(key);
-    if (known) {
-      known.users += 1;
-      return;
-    }
-    const shape = this.#shapeOf(mesh, role);
-    const entry = { number: null, users: 1, promise: null, origin: shape.origin };
-    this.#prepared.set(key, entry);
-    if (shape.indices.length <= 3 * fewTriangles) {
-      this.#prepareNow(shape, entry);
-      return;
-    }
-    entry.ahead = true;
-    entry.promise = this.#masks.prepare(shape).then(
-      (number) => {
-        if (this.#prepared.get(key) === entry) entry.number = number;
-        else this.#masks.release(number); // nobody uses it any more
-      },
-      (error) => {
-        entry.number = -1;
-        this.#problems.push(error.message);
-      });
+    const known = this.#prepared.get(key) ?? { number: null, users: 0, origin: [0, 0, 0] };
+    this.#prepared.set(key, known);
+    known.users += 1;
+    this.#release(had);
+    Object.assign(had, { key, entry: known });
   }
 
   #prepareNow(shape, entry) {
@@ -257,7 +323,7 @@ export class Casters {
       entry.number = this.#masks.prepareNow(shape);
     } catch (error) {
       entry.number = -1;
-      this.#problems.push(error.message);
+      this.#report(error.message);
     }
   }
 
@@ -267,17 +333,18 @@ export class Casters {
     const version = `${versionsOf(mesh, role.texcoords)} ${role.key}`;
     had.geometry = null;
     if (had.key === mesh.uuid && had.version === version && sameNumbers(had.pose, pose)) return;
-    this.#release(had.key);
-    Object.assign(had, { key: mesh.uuid, version, pose });
-    const shape = this.#shapeOf(mesh, role);
-    const entry = { number: null, users: 1, promise: null, origin: shape.origin };
+    this.#release(had);
+    const entry = { number: null, users: 1, origin: [0, 0, 0] };
+    Object.assign(had, { key: mesh.uuid, entry, version, pose });
     this.#prepared.set(had.key, entry);
-    this.#prepareNow({ ...shape, bends: true }, entry);
+    this.#prepareNow({ ...this.#shapeOf(mesh, role, entry), bends: true }, entry);
   }
 
-  #shapeOf(mesh, { casts, tested, texcoords, doubleSided, inward, visible }) {
+  /** The shape of a mesh; its origin becomes the entry's. */
+  #shapeOf(mesh, { casts, tested, texcoords, doubleSided, inward, visible }, entry) {
     const drawn = shapeOf(mesh);
     const shape = { ...drawn, ...nearOrigin(drawn.positions), casts, doubleSided, visible };
+    entry.origin = shape.origin;
     if (inward) shape.indices.reverse();
     const { first, positions: { length } } = shape;
     return tested ? { ...shape, alphaTested: true, texcoords: texcoordsOf(mesh, texcoords).subarray(2 * first, 2 * first + length / 1.5) } : shape;
@@ -288,7 +355,9 @@ export class Casters {
     const places = number < 0 ? [] : placesOf(mesh, origin).filter(Boolean);
     const ids = had.ids;
     const stays = had.shown === number && ids.length === places.length && places.every((matrix, i) => sameNumbers(had.places[i], matrix));
-    if (!stays) had.changed = performance.now();
+    if (stays) return;
+    had.changed = performance.now();
+    this.#revision += 1;
     while (ids.length > places.length) this.#masks.remove(ids.pop());
     for (const of of [had.alphas, had.tints]) of.length = Math.min(of.length, ids.length);
     for (const [i, matrix] of places.entries()) {
@@ -315,10 +384,11 @@ export class Casters {
   }
 
   #clipOne(id, clippings) {
+    this.#revision += 1;
     try {
       this.#masks.setClippings(id, clippings);
     } catch (error) {
-      this.#problems.push(error.message);
+      this.#report(error.message);
     }
   }
 
@@ -352,13 +422,20 @@ export class Casters {
     const had = this.#meshes.get(mesh);
     this.#meshes.delete(mesh);
     for (const id of had.ids) this.#masks.remove(id);
-    this.#release(had.key);
+    this.#revision += 1;
+    this.#release(had);
+    if (had.queued) this.#pending -= 1;
+    had.queued = false;
   }
 
-  #release(key) {
-    const entry = this.#prepared.get(key);
+  #report(sentence) {
+    this.#problems.push(sentence);
+    this.#failed(sentence);
+  }
+
+  #release({ key, entry }) {
     if (!entry || (entry.users -= 1) > 0) return;
-    this.#prepared.delete(key);
+    if (this.#prepared.get(key) === entry) this.#prepared.delete(key);
     if (entry.number >= 0 && entry.number !== null) this.#masks.release(entry.number);
   }
 }

@@ -49,11 +49,12 @@ export interface LightShadow {
  * castShadow, and received by meshes with receiveShadow of standard, physical, Lambert, Phong, toon
  * and shadow materials, and of your own with lights. Meshes may be instanced, batched, skinned and
  * morphed, and have several materials. Wireframes and displaced surfaces cast nothing, and one
- * warning in the console names each. Pictures have no shadows until the edges of all meshes are
- * found. A light that has rested for half a second is looked up once a worker has built its map of
- * the casters that rest. Those that have moved within half a second are counted on top, until they
- * have rested for five seconds and another map holds them. A caster in the map that starts to move
- * ends it: the light has a mask until a map without that caster is ready.
+ * warning in the console names each. Pictures have no shadows until the first meshes are ready; those
+ * that are added later take part once they are (cost.pending). A light that has rested for half a
+ * second is looked up once a worker has built its map of the casters that rest. Those that have moved
+ * within half a second are counted on top, until they have rested for five seconds and another map
+ * holds them. A caster in the map that starts to move ends it: the light has a mask until a map
+ * without that caster is ready.
  *
  * An alpha-tested surface (alphaTest, with the alpha of map or the green of alphaMap; with both,
  * alphaMap's) receives shadow where it is solid, and surfaces seen through its holes have their
@@ -65,8 +66,13 @@ export interface LightShadow {
  * Clipping planes mean what they mean for three.js's maps: renderer.clippingPlanes and, with
  * renderer.localClippingEnabled, a material's clippingPlanes and clipIntersection clip visible surfaces;
  * with clipShadows a material's planes also cut casters. At most 12 clip a mesh.
+ *
+ * The event 'change' says that one more frame would look different, though the scene hasn't changed:
+ * meshes are ready, a light is looked up, or the context is restored. The event 'error', an ErrorEvent
+ * with a sentence as its message, reports a mesh that can't take part, or that nothing works here;
+ * ready() and settled throw the same sentences.
  */
-export class ExactShadows {
+export class ExactShadows extends EventTarget {
   /** `renderer`: with WebGL 2. Turn its own shadowMap off. Throws an Error with a sentence. */
   constructor(renderer: WebGLRenderer, options?: ExactShadowsOptions);
 
@@ -129,8 +135,16 @@ export class ExactShadows {
   /** Resolves once everything in the last render() has its shadows. Throws any error. */
   ready(): Promise<void>;
   /**
-   * Cost of the last masks. `pending`: meshes that are not ready; `lookedUp`: lights that are
-   * looked up, perhaps with a mask of moving casters. Null before the first.
+   * Resolves when the last picture is final, until the scene changes: everything has its shadows, and
+   * no light is about to be looked up. Throws any error.
+   */
+  readonly settled: Promise<void>;
+  /** Whether one more frame would look different, though the scene hasn't changed. */
+  readonly needsUpdate: boolean;
+  /**
+   * Cost of the last masks. `pending`: meshes that are not ready, or not in their new shape;
+   * `lookedUp`: lights that are looked up, perhaps with a mask of moving casters. Null before the
+   * first.
    */
   readonly cost: (MaskCost & { pending: number; lookedUp: number }) | null;
   /** How each casting light of the last render() is shadowed, and why. */

@@ -9,6 +9,7 @@ import { mostSlots, slotName } from './lit.glsl.js';
 import { MaskTextures } from './mask-textures.js';
 import { MaskViews } from './mask-views.js';
 import { MaterialPatches } from './material-patch.js';
+import { Progress } from './progress.js';
 import { needsMask, RestingLights } from './resting-lights.js';
 import { castingLights } from './scene-lights.js';
 import { requireTransparentCast } from './see-through.js';
@@ -52,7 +53,10 @@ const ancestorTakesPart = (object, roots) => {
   return false;
 };
 
-export class ExactShadows {
+/** Milliseconds between steps outside of frames, and between looks at lights that rest. */
+const stepWait = 16, lightWait = 100;
+
+export class ExactShadows extends EventTarget {
   #renderer;
   #masks = null;
   #casters = null;
@@ -61,7 +65,9 @@ export class ExactShadows {
   #texels = null;
   #warnings = new Warnings();
   #lookedUp = 0; // number of lights in the last picture
-  #casting = []; // three.js's casting lights in it
+  #lights = [];  // {light: three.js's, numbers: MaskLight} of the last picture
+  #maps = [];    // their maps, or null
+  #progress = new Progress(() => this.#goOn(), () => this.dispatchEvent(new Event('change')));
   #mostLookedUp;
   #starting;
   #problem = null;
@@ -99,9 +105,11 @@ export class ExactShadows {
   #restore = () => {
     this.#masks?.restore();
     this.#lost = false;
+    this.#progress.invalidate();
   };
 
   constructor(renderer, { lightSamples = 64, alphaTestedCast = 'exact', transparentCast = 'none', keepsState = false, lookups = 1 } = {}) {
+    super();
     if (!renderer?.isWebGLRenderer) throw new Error('ExactShadows needs a WebGLRenderer of three.js.');
     const context = renderer.getContext();
     if (typeof WebGL2RenderingContext === 'undefined' || !(context instanceof WebGL2RenderingContext))
@@ -125,12 +133,17 @@ export class ExactShadows {
         this.#masks = masks;
         this.#resetRenderer();
         this.#texels = new TexelReading(renderer, masks, () => this.#resetRenderer());
-        this.#casters = new Casters(masks, new AlphaTests(renderer, this.#texels), new Clippings(renderer), this.#warnings);
+        this.#casters = new Casters(masks, new AlphaTests(renderer, this.#texels), new Clippings(renderer), this.#warnings,
+          { touched: () => this.#resetRenderer(), failed: (message) => this.#tell(message) });
         this.#views = new MaskViews(renderer, masks, this.#casters, (view, viewport) => this.#show(view, viewport));
         this.#resting = new RestingLights(masks, this.#mostLookedUp, () => this.#resetRenderer());
+        this.#progress.invalidate();
         return undefined;
       },
-      (error) => { this.#problem = error; });
+      (error) => {
+        this.#problem = error;
+        this.#tell(error.message);
+      });
   }
 
   /** Includes everything below an object from now on, including later additions. */
@@ -161,7 +174,22 @@ export class ExactShadows {
       this.#follow(this.#last);
       await this.#casters?.settled();
       if (!this.#casters?.pending) return;
+      await new Promise((resolve) => { setTimeout(resolve); }); // the page goes on between steps
     }
+  }
+
+  /** Whether one more frame would look different, though the scene hasn't changed. */
+  get needsUpdate() {
+    return this.#progress.needsUpdate;
+  }
+
+  /** Resolves when the last picture is final until the scene changes. Throws any error. */
+  get settled() {
+    return this.#starting.then(async () => {
+      if (this.#problem) throw this.#problem;
+      await this.#progress.settled;
+      await this.#casters?.settled();
+    });
   }
 
   /** Cost of the last masks, or null. */
@@ -178,7 +206,7 @@ export class ExactShadows {
 
   /** How each casting light of the last picture is shadowed, and why. */
   get lights() {
-    return this.#casting.map((light) => ({ light,
+    return this.#lights.map(({ light }) => ({ light,
       ...(this.#resting?.methodOf(light) ?? { method: 'none', reason: 'meshes are being prepared' }) }));
   }
 
@@ -203,7 +231,9 @@ export class ExactShadows {
    * endMasks(). `target`: that render's. Returns whether there are any. */
   beginMasks(scene, camera, target = this.#renderer.getRenderTarget()) {
     this.#last = { scene, camera };
-    return this.#draw(scene, camera, target);
+    const drawn = this.#draw(scene, camera, target);
+    if (this.#masks && !this.#lost) this.#progress.drawn(this.#standing());
+    return drawn;
   }
 
   /** From here on three.js draws without masks. */
@@ -214,6 +244,7 @@ export class ExactShadows {
   /** Frees everything; restores the materials. */
   dispose() {
     this.#disposed = true;
+    this.#progress.stop();
     this.#last = null;
     this.#views?.dispose();
     this.#views = null;
@@ -242,13 +273,14 @@ export class ExactShadows {
     const { lights, meshes } = this.#follow({ scene, camera });
     if (!this.#masks) return false;
     const casting = this.#castingOf(lights);
-    this.#casting = casting.sources;
+    this.#lights = casting.lights.map((numbers, i) => ({ light: casting.sources[i], numbers }));
+    this.#maps = [];
     this.#complete ||= this.#casters.pending === 0;
     if (casting.lights.length === 0 || !this.#complete) return false;
     const { xr } = this.#renderer;
     const viewport = this.#viewportOf(target);
     if (viewport.z < 1 || viewport.w < 1) return false;
-    const maps = this.#mapsOf(casting);
+    const maps = this.#followLights();
     this.#showTables(maps);
     const visible = (other) => {
       const found = visibleOf(scene, other, this.#rootsOf(scene));
@@ -305,27 +337,53 @@ export class ExactShadows {
     for (const mesh of meshes) {
       if (!mesh.receiveShadow) continue;
       const casts = this.#casters?.casts(mesh, this.#resting.heldSince) ?? false;
-      for (const material of [mesh.material, scene.overrideMaterial].flat()) if (material) receiving.set(material, casts && (receiving.get(material) ?? true));
+      const note = (material) => material && receiving.set(material, casts && (receiving.get(material) ?? true));
+      if (Array.isArray(mesh.material)) mesh.material.forEach(note);
+      else note(mesh.material);
+      note(scene.overrideMaterial);
     }
     for (const [material, casts] of receiving) this.#patches.add(material, casts);
     return { lights, meshes };
   }
 
-  /** For each light, the map that it is looked up in, or null. */
-  #mapsOf({ lights, sources }) {
+  /** Goes on between frames. */
+  #goOn() {
+    if (this.#lost) return null;
+    this.#casters.advance();
+    this.#texels.advance();
+    const maps = this.#resting.follow(this.#lights, this.#isSettled);
+    for (let slot = 0; slot < mostSlots; ++slot) if (!maps.some((map) => map?.slot === slot)) this.#hideMap(slot);
+    return this.#standing(maps);
+  }
+
+  /** Whether all meshes and textures are there. */
+  get #isSettled() {
+    return this.#casters.pending === 0 && !this.#texels.waits;
+  }
+
+  /** The state that a frame would show, and when to go on, for Progress. */
+  #standing(maps = this.#maps) {
+    const pending = !this.#isSettled;
+    const shown = maps.map((map) => map && `${map.slot} ${map.id} ${map.movers}`);
+    const waits = this.#resting.isWaiting(this.#lights) ? lightWait : Infinity;
+    return { state: pending ? '' : `${this.#masks.casterState} ${shown}`, wait: pending || this.#resting.isUploading ? stepWait : waits };
+  }
+
+  /** Returns for each light the map that it is looked up in, or null. */
+  #followLights() {
     this.#resting.most = this.#patches.slots;
-    const maps = this.#resting.follow(lights.map((numbers, i) => ({ light: sources[i], numbers })), this.#casters.pending === 0 && !this.#texels.waits);
-    this.#lookedUp = maps.filter(Boolean).length;
-    if (this.#casters.cutsOut || this.#casters.tints) this.#warnOfLights(lights, sources, maps);
-    return maps;
+    this.#maps = this.#resting.follow(this.#lights, this.#isSettled);
+    this.#lookedUp = this.#maps.filter(Boolean).length;
+    if (this.#casters.cutsOut || this.#casters.tints) this.#warnOfLights();
+    return this.#maps;
   }
 
   /** Warns of lights that are not looked up, not even at rest: masks have neither cutouts nor tints. */
-  #warnOfLights(lights, sources, maps) {
+  #warnOfLights() {
     const whys = this.notLookedUp, most = Math.min(this.#mostLookedUp, this.#patches.slots);
-    for (const [i, light] of sources.entries()) {
-      if (maps[i]) continue;
-      const why = whys.get(light) ?? (lights[i].radius > 0 ? 'it has a radius' : this.#lookedUp >= most && `${most} lights are looked up at once`);
+    for (const [i, { light, numbers }] of this.#lights.entries()) {
+      if (this.#maps[i]) continue;
+      const why = whys.get(light) ?? (numbers.radius > 0 ? 'it has a radius' : this.#lookedUp >= most && `${most} lights are looked up at once`);
       if (why) this.#warnings.warn(light, `Light '${light.name}' lacks the shadows of cutouts and tints, as it is not looked up: ${why}.`);
     }
   }
@@ -334,14 +392,26 @@ export class ExactShadows {
     for (let slot = 0; slot < mostSlots; ++slot) {
       const of = (name) => this.#uniforms[`${slotName(slot)}_${name}`];
       const map = maps.find((one) => one?.slot === slot);
-      this.#uniforms.edgeshadeMaps.value[slot] = map ? 1 : 0;
-      of('table').value = map ? this.#textures.at(firstMap + slot, map.texture) : null;
+      this.#hideMap(slot);
       if (!map) continue;
+      this.#uniforms.edgeshadeMaps.value[slot] = 1;
+      of('table').value = this.#textures.at(firstMap + slot, map.texture);
       of('tableSize').value.fromArray(map.tableSize);
       of('begins').value.fromArray(map.begins);
       of('size').value = map.size;
       of('kind').value = map.kind;
     }
+  }
+
+  /** Materials let go of a map that is gone. */
+  #hideMap(slot) {
+    this.#uniforms.edgeshadeMaps.value[slot] = 0;
+    this.#uniforms[`${slotName(slot)}_table`].value = null;
+  }
+
+  /** Reports what stays wrong. */
+  #tell(message) {
+    this.dispatchEvent(new ErrorEvent('error', { message }));
   }
 
   /** Shows a camera's masks and lookups, or no shadows: see MaskViews. */

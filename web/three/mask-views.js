@@ -22,6 +22,7 @@ export class MaskViews {
   #frame = null;
   #stack = [];    // of the renders under way, outermost first: Map of camera: its view
   #owner = null;  // the view whose masks the engine's next draw replaces
+  #drawn = null;  // the engine's last masks of a frame's camera, and what they depend on: {key, masks}
   #shown = null;  // the view that uniforms show, or null
   #place = new Vector4(); // its viewport
   #viewport = new Vector4();
@@ -73,6 +74,7 @@ export class MaskViews {
 
   forget() {
     this.end();
+    this.#drawn = null;
     this.#copies.forget();
   }
 
@@ -164,13 +166,22 @@ export class MaskViews {
   #drawMasks(view, lights, meshes, beside) {
     const { viewFromWorld, clipFromView, plane } = engineViewOf(view.camera);
     const { width, height } = view;
+    const { lightSamples } = this.#frame, lookups = view.maps.filter(needsMask).map((map) => map?.id);
+    const key = meshes === this.#frame.meshes && !plane
+      ? `${viewFromWorld} ${clipFromView} ${[width, height, lightSamples]} ${JSON.stringify(lights)} ${lookups} ${this.#casters.revision}` : null;
+    if (key !== null && this.#drawn?.key === key) { // nothing has moved since
+      view.masks = this.#drawn.masks;
+      this.#owner = view;
+      return;
+    }
     const kept = this.#owner;
     if (kept?.masks && (beside.has(kept.camera) || this.#stack.some((views) => views.get(kept.camera) === kept)))
       kept.masks = this.#copies.of(kept.masks, kept.width, kept.height);
     this.#owner = null;
-    const { lightSamples } = this.#frame, lookups = view.maps.filter(needsMask).map((map) => map?.id);
+    this.#drawn = null;
     view.masks = this.#casters.asSeen(meshes, plane, () => this.#masks.draw({ viewFromWorld, clipFromView, width, height, lightSamples }, lights, lookups));
     this.#owner = view;
+    if (key !== null) this.#drawn = { key, masks: view.masks };
     this.#frame.reset();
   }
 

@@ -13,16 +13,24 @@ export function sameNumbers(a, b) {
 /** Whether a mesh has another shape than its geometry: skinned or morphed. */
 export const isPosed = (mesh) => Boolean(mesh.isSkinnedMesh || mesh.geometry.morphAttributes.position?.length);
 
+const dataVersion = (attribute) => attribute?.data?.version ?? attribute?.version ?? 0;
+
 /**
  * Versions that change with the triangles, and with the texture coordinates of that name, if there
- * is one.
+ * is one. They are written into `versions`, so that following thousands of meshes makes no garbage.
  */
-export function versionsOf({ geometry }, texcoords) {
+export function versionsOf({ geometry }, texcoords, versions = []) {
   const { index, attributes, drawRange } = geometry;
   const { position } = attributes;
-  const dataVersion = (attribute) => attribute?.data?.version ?? attribute?.version ?? 0;
-  return [position.count, dataVersion(position), index?.count, dataVersion(index), drawRange.start, drawRange.count,
-    texcoords, dataVersion(attributes[texcoords])];
+  versions[0] = position.count;
+  versions[1] = dataVersion(position);
+  versions[2] = index?.count;
+  versions[3] = dataVersion(index);
+  versions[4] = drawRange.start;
+  versions[5] = drawRange.count;
+  versions[6] = texcoords;
+  versions[7] = texcoords && dataVersion(attributes[texcoords]);
+  return versions;
 }
 
 /** The pose of a bent mesh: numbers, to be compared one by one. */
@@ -57,13 +65,24 @@ export function texcoordsOf({ geometry }, name) {
   return texcoords;
 }
 
-/** Numbers of vertices, three per triangle, in a range of indices or vertices. */
-function indicesOf({ index, attributes: { position } }, { start, count }) {
+/** A range of indices or vertices: its first one, and whole triangles' number of corners. */
+function drawnOf({ index, attributes: { position } }, { start, count }) {
   const all = index ? index.count : position.count;
   const begin = Math.min(Math.max(start, 0), all);
   const whole = 3 * Math.floor((Math.min(start + count, all) - begin) / 3);
-  const numbers = new Uint32Array(Math.max(whole, 0));
-  for (let i = 0; i < numbers.length; ++i) numbers[i] = index ? index.getX(begin + i) : begin + i;
+  return { begin, corners: Math.max(whole, 0) };
+}
+
+/** The number of triangles of the drawn part of a mesh. */
+export const trianglesOf = ({ geometry }) =>
+  (geometry.ranges ?? [geometry.drawRange]).reduce((sum, range) => sum + drawnOf(geometry, range).corners / 3, 0);
+
+/** Numbers of vertices, three per triangle, in a range of indices or vertices. */
+function indicesOf(geometry, range) {
+  const { begin, corners } = drawnOf(geometry, range), { index } = geometry;
+  const numbers = new Uint32Array(corners);
+  if (index?.isBufferAttribute) numbers.set(index.array.subarray(begin, begin + corners));
+  else for (let i = 0; i < numbers.length; ++i) numbers[i] = index ? index.getX(begin + i) : begin + i;
   return numbers;
 }
 

@@ -9,8 +9,8 @@ const restMs = 500;
 /** The most that moved casters must rest to be in a light's map, after they kept ending it. */
 const longestRestMs = 80_000;
 
-/** Bytes uploaded per frame: some milliseconds. */
-const bytesAFrame = 4 * 2 ** 20;
+/** Bytes uploaded in a step: some milliseconds. */
+const bytesAStep = 2 * 2 ** 20;
 
 /** Everything that the shadows of a light with a map depend on. */
 const keyOf = ({ kind, position, direction, radius }) => `${radius > 0} ${kind === 'directional' ? direction : position}`;
@@ -31,6 +31,7 @@ export class RestingLights {
   #entries = new Map(); // by three.js's light
   #restingState = -1;
   #restingSince = 0;
+  #loads = false; // whether meshes were pending
 
   /**
    * `most`: lights that may be looked up at once. `touched()` is called when the context's state
@@ -65,12 +66,32 @@ export class RestingLights {
     const { restingState } = this.#masks;
     const changed = restingState !== this.#restingState;
     this.#restingState = restingState;
-    if (changed || !settled) this.#restingSince = now;
+    // Meshes that have been loaded are at rest.
+    if (changed) this.#restingSince = this.#loads ? now - restMs : now;
+    if (!settled) this.#restingSince = now;
+    this.#loads = !settled;
     if (!changed) return;
     for (const entry of this.#entries.values()) {
       entry.abort?.abort();
       entry.problem = '';
     }
+  }
+
+  /** Whether a map is being uploaded. */
+  get isUploading() {
+    return [...this.#entries.values()].some(({ next }) => next);
+  }
+
+  /** Whether any of these lights may still get a map, or one of more casters. */
+  isWaiting(lights) {
+    const taken = [...this.#entries.values()].filter(({ current, next }) => current?.map ?? next).length;
+    return lights.some(({ light, numbers }) => {
+      const { current, next, abort, problem } = this.#entries.get(light) ?? {};
+      if (next || abort) return true;
+      if (problem || numbers.radius > 0 || this.#most < 1) return false;
+      if (current) return current.state?.movers > 0;
+      return taken < this.#most;
+    });
   }
 
   #followOne(light, numbers, now) {
@@ -137,7 +158,7 @@ export class RestingLights {
     const entry = [...this.#entries.values()].find(({ next }) => next?.state);
     if (!entry) return;
     const { next, current } = entry;
-    if (this.#masks.uploadLookup(next.id, bytesAFrame)) {
+    if (this.#masks.uploadLookup(next.id, bytesAStep)) {
       const { why, ...map } = this.#masks.lookup(next.id);
       if (why) next.why = why;
       else next.map = { ...map, slot: current?.map?.slot ?? this.#freeSlot() };

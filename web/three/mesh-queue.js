@@ -1,0 +1,156 @@
+// New meshes on their way into the mask engine. A worker finds their edges and merges small
+// neighbours; the page's thread reads and takes over meshes in steps of a few milliseconds.
+
+/** Milliseconds of steps in a frame; a step that has begun is finished. */
+const frameMilliseconds = 8;
+
+/** Milliseconds that ready meshes wait for others, so that lights are looked up meanwhile. */
+const patience = 2000;
+
+/** Triangles from which on the worker gets what was read so far. */
+const trianglesAtOnce = 16384;
+
+export class MeshQueue {
+  #masks;
+  #report;
+  #waiting = [];
+  #next = 0; // of those waiting
+  #steps = [];
+  #held = []; // steps that add meshes
+  #heldSince = 0;
+  #batch = null; // read, and not yet sent
+  #grows = false; // whether a mesh has come since the last advance()
+  #calls = new Set();
+
+  /** `report(sentence)` is called for failures. */
+  constructor(masks, report) {
+    this.#masks = masks;
+    this.#report = report;
+  }
+
+  /**
+   * `job`: {entry, merges, shape(), matrix(), isWanted(), placed(id, matrix), done()}. `entry`:
+   * {number}, the prepared mesh, null until it is known, negative if it can't be prepared. Jobs
+   * with `merges` may be placed, merged with others, by the time done() is called.
+   */
+  add(job) {
+    this.#waiting.push(job);
+    this.#grows = true;
+  }
+
+  /** Promises of the worker's answers that are still to come. */
+  get calls() {
+    return [...this.#calls];
+  }
+
+  /** Takes steps for a few milliseconds. Returns whether the GL's state has changed. */
+  advance() {
+    const until = performance.now() + frameMilliseconds;
+    let changed = false;
+    this.#release();
+    do {
+      const step = this.#steps.shift();
+      if (step) changed = step() || changed;
+      else if (!this.#read()) break;
+    } while (performance.now() < until);
+    // While meshes keep coming, more of them are merged together.
+    if (this.#batch && this.#next === this.#waiting.length && !this.#grows) this.#send();
+    this.#grows = false;
+    return changed;
+  }
+
+  /** Lets meshes be added once all are ready, or others take long. */
+  #release() {
+    const isBusy = this.#batch || this.#waiting.length + this.#steps.length + this.#calls.size > 0;
+    if (isBusy && performance.now() - this.#heldSince < patience) return;
+    this.#steps.push(...this.#held.splice(0));
+  }
+
+  #hold(step) {
+    if (this.#held.length === 0) this.#heldSince = performance.now();
+    this.#held.push(step);
+  }
+
+  /** Reads one mesh. Returns whether there was any. */
+  #read() {
+    if (this.#next === this.#waiting.length) return false;
+    const job = this.#waiting[this.#next++];
+    if (this.#next === this.#waiting.length) [this.#waiting, this.#next] = [[], 0];
+    if (!job.isWanted() || (!job.merges && job.entry.number !== null)) job.done();
+    else if (job.merges) this.#readMember(job);
+    else this.#readAlone(job);
+    if (this.#batch?.triangles >= trianglesAtOnce) this.#send();
+    return true;
+  }
+
+  #readMember(job) {
+    const batch = (this.#batch ??= { entries: [], shapes: [], jobs: [], indices: new Map(), triangles: 0 });
+    const mesh = batch.indices.get(job.entry) ?? batch.entries.length;
+    if (mesh === batch.entries.length) {
+      batch.indices.set(job.entry, mesh);
+      batch.entries.push(job.entry);
+      batch.shapes.push(job.shape());
+    }
+    batch.triangles += batch.shapes[mesh].indices.length / 3;
+    batch.jobs.push({ ...job, mesh, at: job.matrix() });
+  }
+
+  /** A mesh that is not merged has a batch of its own. */
+  #readAlone(job) {
+    const { entry } = job;
+    entry.batch?.jobs.push(job);
+    if (entry.batch) return;
+    entry.batch = { entries: [entry], shapes: [job.shape()], jobs: [job], uploads: true };
+    this.#ask(entry.batch);
+  }
+
+  #send() {
+    const batch = this.#batch;
+    this.#batch = null;
+    this.#ask(batch);
+  }
+
+  #ask(batch) {
+    const placed = batch.jobs.filter(({ at }) => at);
+    const call = this.#masks.prepareTogether(batch.shapes, placed.map(({ mesh, at }) => ({ mesh, matrix: at }))).then(
+      ({ meshes, merged }) => {
+        for (const [i, bytes] of meshes.entries()) this.#steps.push(() => this.#take(batch.entries[i], bytes));
+        if (batch.uploads) this.#steps.push(() => this.#upload(batch.entries[0]));
+        for (const { members, bytes } of merged) this.#hold(() => this.#addMerged(bytes, members.map((member) => placed[member])));
+      },
+      ({ message }) => {
+        this.#report(message);
+        for (const entry of batch.entries) entry.number ??= -1;
+      }).then(() => {
+      this.#calls.delete(call);
+      this.#hold(() => {
+        if (batch.uploads) delete batch.entries[0].batch;
+        for (const job of batch.jobs) job.done();
+      });
+    });
+    this.#calls.add(call);
+  }
+
+  #take(entry, bytes) {
+    if (entry.number !== null || entry.users === 0) return;
+    try {
+      entry.number = this.#masks.take(bytes);
+    } catch ({ message }) {
+      entry.number = -1;
+      this.#report(message);
+    }
+  }
+
+  #upload({ number, users }) {
+    if (users === 0 || number < 0) return false;
+    this.#masks.upload(number);
+    return true;
+  }
+
+  #addMerged(bytes, jobs) {
+    if (!jobs.every((job) => job.isWanted() && job.entry.number >= 0)) return false; // added one by one
+    const ids = this.#masks.addMerged(bytes, jobs.map(({ entry }) => entry.number), jobs.map(({ at }) => at));
+    for (const [i, { placed, at }] of jobs.entries()) placed(ids[i], at);
+    return true;
+  }
+}
