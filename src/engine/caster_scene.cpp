@@ -93,7 +93,7 @@ void CasterScene::setAlpha(Id id, const MaskAlpha& alpha) {
     if (alpha.texels) requireTexels(*alpha.texels);
     const bool alike = cutAlike(slots_[id].alpha, alpha);
     slots_[id].alpha = alpha;
-    if (!alike) casterChanged(id);
+    if (!alike) lookChanged(id);
     if (slots_[id].mesh->alphaTested) gpu_->batches[id].alpha = lookupOf(alpha);
 }
 
@@ -105,7 +105,7 @@ void CasterScene::setTint(Id id, const std::optional<std::array<float, 3>>& tint
                              " of light through, not 0 to 1.");
     if (slots_[id].tint == tint) return;
     slots_[id].tint = tint;
-    casterChanged(id);
+    lookChanged(id);
 }
 
 AlphaLookup CasterScene::lookupOf(const MaskAlpha& alpha) const {
@@ -296,6 +296,12 @@ std::size_t CasterScene::drawnBatches() const {
     return static_cast<std::size_t>(
         std::count_if(loaded_.scene.batches.begin(), loaded_.scene.batches.end(),
                       [](const Batch& of) { return !of.geometry->indices.empty(); }));
+}
+
+void CasterScene::lookChanged(std::size_t batch) {
+    const bool moved = slots_[batch].rest.moved;
+    casterChanged(batch);
+    slots_[batch].rest.moved = moved;
 }
 
 void CasterScene::casterChanged(std::size_t batch) {

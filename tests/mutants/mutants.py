@@ -348,7 +348,7 @@ MUTANTS = (
      "shadow_masks_test", "InvisibleMeshes.*"),
     ("a light's map stays current when a caster's holes change",
      "src/engine/caster_scene.cpp",
-     "if (!alike) casterChanged(id);", "(void)cutAlike;",
+     "if (!alike) lookChanged(id);", "(void)cutAlike;",
      "shadow_masks_test", "CutoutLookup.IsAskedFor"),
     ("see-through surfaces show what is turned away from the eye",
      "src/render/frame/blended.cpp",
