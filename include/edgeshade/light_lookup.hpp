@@ -65,7 +65,7 @@ struct LookupState {
     /// its shadows are wrong.
     bool holds = false;
     std::size_t movers = 0; ///< casters that aren't in it
-    std::size_t rested = 0; ///< movers that have rested for the requested time
+    std::size_t rested = 0; ///< those that have rested for the requested time, or never moved
 };
 
 /// A light's uniforms, with the names that lookupSource("PREFIX") gives them.

@@ -11,6 +11,10 @@ uniform highp mat4 u_primitiveMapFromHost; // from the host's space, which `posi
 
 const highp float primitiveUnit = 1.0 / 16777216.0;
 
+// Whether the map holds the casters that are drawn. Hosts set it to false for those that move over
+// it: their own surfaces test lit sheets, too (docs/method.md, C34).
+bool primitiveHolds = true;
+
 // `position`: the fragment's, in the host's space; `error`: its error in units of a float's
 // rounding; `towardsEye`: from there, of any length; `normal`: the triangle's, of any length and on
 // either side; `casts`: all triangles there are in the map. Others are lit from behind, too.
@@ -37,7 +41,7 @@ bool primitiveLitOn(highp vec3 position, highp vec3 towardsEye, highp vec3 norma
     primitiveMoved = 0.0;
     primitiveReach = 1.0;
     point += across * (away ? -256.0 * primitiveUnit - 2.0 * off : off);
-    return primitiveMapLights(point, casts && gl_FrontFacing); // backs test lit sheets (C34)
+    return primitiveMapLights(point, casts && primitiveHolds && gl_FrontFacing); // so do backs
 }
 
 #ifdef PRIMITIVE_MAP_TINTS

@@ -70,6 +70,7 @@ std::vector<CasterScene::Id> CasterScene::add(const MergedMeshes& meshes) {
         slots_[batches.back()].use = Slot::Use::mesh;
         put(batches.back(), PreparedMesh(of.mesh));
         place(batches.back(), of.worldFromMesh);
+        slots_[batches.back()].rest.moved = false;
     }
     if (mergedTriangles_ + mostTrianglesMerged <= mostMerged) showMerged(batches, group.merged);
     return {batches.begin(), batches.end()};
@@ -398,7 +399,7 @@ LookupState CasterScene::compare(std::span<const HeldCaster> held, double restMs
     for (std::size_t i = 0; i < slots_.size(); ++i) {
         if (!isCaster(i) || isHeld[i]) continue;
         ++state.movers;
-        if (slots_[i].rest.milliseconds() >= restMs) ++state.rested;
+        if (!slots_[i].rest.moves(restMs)) ++state.rested;
     }
     return state;
 }

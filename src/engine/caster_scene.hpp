@@ -139,7 +139,8 @@ class CasterScene {
     void changed();
     /// Notes that a caster comes, goes, changes or moves.
     void casterChanged(std::size_t batch);
-    /// Notes that a caster has another alpha or tint: maps of it end, and the next ones may hold it.
+    /// Notes that a caster has another alpha or tint: maps of it end, and the next ones may hold
+    /// it.
     void lookChanged(std::size_t batch);
     Box worldBox(std::size_t batch) const;
     /// By batch, whether it is a caster that isn't held. All that are held must be casters.

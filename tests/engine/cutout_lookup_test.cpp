@@ -122,7 +122,7 @@ class Host {
     }
 
     Judged judge(const Light& light, HostPicture::Language language = {false, true, {true}},
-                 const LookupSettings& settings = {512, std::size_t{64} << 20, {true}}) {
+                 const LookupSettings& settings = {.restMs = 0.0, .casters = {true}}) {
         const MaskLight asked = hostLight(light);
         LookupWork work = masks.lookupWork(asked, settings);
         work.finish();
@@ -241,7 +241,7 @@ TEST(CutoutLookup, OfManyMeshesOfOneTextureKeepsItOnce) {
     std::vector<Sheet> sheets(9, slanted({.texels = texels}));
     Host host(sheets);
     const MaskLight light = hostLight(someLights()[0]);
-    const LookupSettings settings{512, 2 * 256 * 256 * 2, {true}};
+    const LookupSettings settings{.mostBytes = 2 * 256 * 256 * 2, .casters = {true}};
     LookupWork work = host.masks.lookupWork(light, settings);
     work.finish();
     EXPECT_EQ(host.masks.lookup(host.masks.addLookup(work)).why, "");

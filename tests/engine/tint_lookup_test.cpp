@@ -77,7 +77,7 @@ class Host {
     /// Draws the floor by lookup, and compares it with rays.
     Judged judge(const Light& light, HostPicture::Language language = {false, true, {true, true}}) {
         const MaskLight asked = hostLight(light);
-        LookupWork work = masks.lookupWork(asked, {.casters = language.casters});
+        LookupWork work = masks.lookupWork(asked, {.restMs = 0.0, .casters = language.casters});
         work.finish();
         const auto id = masks.addLookup(work);
         masks.uploadLookup(id);
@@ -204,8 +204,7 @@ TEST(TintLookup, GivesRaysOnAnEdgeToOneOfItsTriangles) {
     masks.setTint(masks.add(mesh), pane.tint);
     for (const Light& light :
          {sun({0.1, 1, 0.2}), sun({0.1, -1, 0.2}), pointLight({0.2, 1.6, 0.1})}) {
-        LookupWork work =
-            masks.lookupWork(hostLight(light), {.casters = {.tints = true}});
+        LookupWork work = masks.lookupWork(hostLight(light), {.casters = {.tints = true}});
         work.finish();
         const std::vector<TintedRecord> records = recordsOf(work.data()->built.map);
         ASSERT_EQ(records.size(), 2u) << work.data()->built.why;

@@ -6,7 +6,7 @@
 MUTANTS = (
     ("hosts' lookups leave out lit sheets for casters' backs, too",
      "shaders_es2/host/lookup.glsl",
-     "casts && gl_FrontFacing", "casts",
+     "casts && primitiveHolds && gl_FrontFacing", "casts && primitiveHolds",
      "shadow_masks_test", "LightLookup.ShadesTheBacks*"),
     ("primitive maps of lights that matter less stay beyond what all may take",
      "src/scene/primitive_maps.cpp",

@@ -57,7 +57,7 @@ for (const release of releases)
     });
 
 /**
- * Compares a yard with a box, which change(world) changes after its first picture: three.js's
+ * Compares a yard with a box, which change(world, shadows) changes after its first picture: three.js's
  * picture of the change against the native mask of its export. change() runs in the page and may
  * return its own camera.
  */
@@ -162,7 +162,8 @@ test('what is seen through the holes of an alpha-tested sheet', (context) => cha
   world.scene.add(sheet);
 }, { most: 0.001 }));
 
-test('alpha-tested sheets that cast whole triangles, of one side, instanced', (context) => changed(context, (world) => {
+test('alpha-tested sheets that cast whole triangles, of one side, instanced', (context) => changed(context, (world, shadows) => {
+  shadows.alphaTestedCast = 'whole';
   const { three, scene } = world;
   const { geometry, material } = window.page.fence(world, { map: window.page.pattern(), side: three.FrontSide });
   const many = new three.InstancedMesh(geometry, material, 3);

@@ -25,6 +25,11 @@ async function inCourt(act, { release, looked = false, settings = {} } = {}) {
     const told = {};
     const draw = async () => {
       if (await rested(shadows, scene, camera, lookups) !== lookups) throw new Error(`${shadows.cost.lookedUp} lights are looked up`);
+      // Surfaces that masks can't show lack the shadows of movers.
+      for (const since = performance.now(); lookups && shadows.lights[0].method !== 'lookup' && performance.now() - since < 30000;) {
+        await new Promise((resolve) => { setTimeout(resolve, 150); });
+        shadows.render(scene, camera);
+      }
     };
     const judge = async (name, before = () => {}) => {
       await draw();

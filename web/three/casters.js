@@ -131,14 +131,17 @@ export class Casters {
   }
 
   /**
-   * Whether a followed mesh casts with all of its triangles, and has been as it is since `since`: so
-   * that maps begun later hold it, as lookups may assume.
+   * 1: a followed mesh casts with all of its triangles; 2: it has also been as it is since `since`, so
+   * that maps begun later hold it; 0: neither.
    */
-  casts(mesh, since) {
-    return (this.#parts.last(mesh) ?? [mesh]).every((part) => {
+  castingOf(mesh, since) {
+    let casting = 2;
+    for (const part of this.#parts.last(mesh) ?? [mesh]) {
       const had = this.#meshes.get(part);
-      return Boolean(had?.casts || had?.alphas[0]?.cutsOut) && had.changed < since;
-    });
+      if (!had?.casts && !had?.alphas[0]?.cutsOut) return 0;
+      if (!(had.changed < since)) casting = 1;
+    }
+    return casting;
   }
 
   /** Whether some meshes cast what their alpha leaves, where a light is looked up. */

@@ -333,16 +333,16 @@ export class ExactShadows extends EventTarget {
       this.#casters?.follow(meshes, this.alphaTestedCast, this.transparentCast);
       this.#patches.lookFor({ cutouts: this.#casters?.cutsOut, tints: this.#casters?.tints });
     }
-    const receiving = new Map(); // by material: whether all meshes with it cast
+    const receiving = new Map(); // by material: the least castingOf() of its meshes
     for (const mesh of meshes) {
       if (!mesh.receiveShadow) continue;
-      const casts = this.#casters?.casts(mesh, this.#resting.heldSince) ?? false;
-      const note = (material) => material && receiving.set(material, casts && (receiving.get(material) ?? true));
+      const casting = this.#casters?.castingOf(mesh, this.#resting.heldSince) ?? 0;
+      const note = (material) => material && receiving.set(material, Math.min(casting, receiving.get(material) ?? 2));
       if (Array.isArray(mesh.material)) mesh.material.forEach(note);
       else note(mesh.material);
       note(scene.overrideMaterial);
     }
-    for (const [material, casts] of receiving) this.#patches.add(material, casts);
+    for (const [material, casting] of receiving) this.#patches.add(material, casting);
     return { lights, meshes };
   }
 

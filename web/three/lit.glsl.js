@@ -19,6 +19,7 @@ const all = Object.values(counts).join(' + ');
 
 /** A loop, since a branch doesn't keep software renderers from sampling a map that isn't there. */
 const askMap = (slot, tints) => /* glsl */`
+	${slotName(slot)}_primitiveHolds = edgeshadeHeld;
 	for ( int i = 0; i < edgeshadeMaps[ ${slot} ]; i ++ )
 		edgeshadeLooked[ ${slot} ] = ${slotName(slot)}_lit${tints ? 'Color' : ''}On( position, towardsEye, normal, error, edgeshadeCasts )${tints ? '' : ' ? 1.0 : 0.0'};
 `;
@@ -30,6 +31,7 @@ const kindOf = ({ tints }) => (tints ? 'vec3' : 'float');
 const lookups = (slots, casters) => Array.from({ length: slots }, (_, slot) => lookupSource(slotName(slot), casters)).join('\n') + /* glsl */`
 uniform int edgeshadeMaps[ ${mostSlots} ]; // 1: there is one
 uniform bool edgeshadeCasts; // all that the material is on
+uniform bool edgeshadeHeld;  // and maps hold them
 edgeshadeShare edgeshadeLooked[ ${mostSlots} ];
 
 void edgeshadeAskMaps( const in highp vec3 position ) {

@@ -104,12 +104,13 @@ export class MaterialPatches {
   }
 
   /**
-   * A patched material stays patched. `casts`: whether all meshes with it cast, in the mask engine.
+   * A patched material stays patched. `casting`: the least Casters.castingOf() of its meshes.
    */
-  add(material, casts) {
+  add(material, casting) {
     const known = this.#patched.get(material);
     if (known) {
-      known.casts.value = casts;
+      known.casts.value = casting > 0;
+      known.held.value = casting > 1;
       if (known.masked !== isMasked(material)) material.needsUpdate = true;
       known.masked = isMasked(material);
     }
@@ -118,8 +119,8 @@ export class MaterialPatches {
     this.#slots = Math.min(this.#slots, slots);
     const { onBeforeCompile, customProgramCacheKey, onBeforeRender } = material;
     const own = Object.hasOwn(material, 'customProgramCacheKey');
-    const uniforms = { ...this.#uniforms, edgeshadeCasts: { value: casts } };
-    this.#patched.set(material, { onBeforeCompile, customProgramCacheKey, onBeforeRender, own, ownRender: Object.hasOwn(material, 'onBeforeRender'), casts: uniforms.edgeshadeCasts, masked: isMasked(material) });
+    const uniforms = { ...this.#uniforms, edgeshadeCasts: { value: casting > 0 }, edgeshadeHeld: { value: casting > 1 } };
+    this.#patched.set(material, { onBeforeCompile, customProgramCacheKey, onBeforeRender, own, ownRender: Object.hasOwn(material, 'onBeforeRender'), casts: uniforms.edgeshadeCasts, held: uniforms.edgeshadeHeld, masked: isMasked(material) });
     const reference = new WeakRef(material);
     this.#alive.add(reference);
     this.#gone.register(material, reference);

@@ -7,9 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <span>
-#include <vector>
 
 namespace edgeshade {
 namespace {
@@ -75,14 +72,14 @@ PixelRectangle pixelsAround(const Ball& ball, const Interval& depths, const Fram
 
 /// The pixels around the part of the corners' hull between two depths. It uses lines between any
 /// two corners: they are in the hull, and include all its edges.
-PixelRectangle pixelsAround(std::span<const glm::dvec3> corners, const Interval& depths,
+template <std::size_t Count>
+PixelRectangle pixelsAround(const std::array<glm::dvec3, Count>& corners, const Interval& depths,
                             const FrameView& view) {
     const bool orthographic = view.frustum.orthographic;
-    std::vector<glm::dvec3> seen;
-    std::transform(corners.begin(), corners.end(), std::back_inserter(seen),
-                   [&](const glm::dvec3& corner) {
-                       return glm::dvec3(view.frustum.viewFromWorld * glm::dvec4(corner, 1.0));
-                   });
+    std::array<glm::dvec3, Count> seen;
+    std::transform(corners.begin(), corners.end(), seen.begin(), [&](const glm::dvec3& corner) {
+        return glm::dvec3(view.frustum.viewFromWorld * glm::dvec4(corner, 1.0));
+    });
     Slopes slopes;
     const auto add = [&](const glm::dvec3& point) {
         const double scale = orthographic ? 1.0 : -point.z;
@@ -161,11 +158,12 @@ PixelRectangle shadowReach(const FrameView& view, const Box& casters, const Ligh
     }
     const glm::dvec3 behind =
         directional ? -glm::normalize(place) * both.diagonal() : glm::dvec3(0.0);
-    std::vector<glm::dvec3> corners;
+    std::array<glm::dvec3, 16> corners;
     for (int i = 0; i < 8; ++i) {
         const glm::dvec3 corner = casters.corner(i);
-        corners.push_back(corner);
-        corners.push_back(directional ? corner + behind : place + (corner - place) * farther);
+        const auto at = static_cast<std::size_t>(2 * i);
+        corners[at] = corner;
+        corners[at + 1] = directional ? corner + behind : place + (corner - place) * farther;
     }
     return intersection(
         whole, pixelsAround(corners, {view.near(), view.farthestDepth * (1.0 + 1e-3)}, view));

@@ -161,7 +161,7 @@ async function changedPicture(world, view, change) {
   const shadows = new ExactShadows(renderer).add(scene);
   whiten(scene);
   await drawn(shadows, scene, camera);
-  const other = change(world);
+  const other = change(world, shadows);
   if (other) {
     other.position.copy(camera.position);
     other.quaternion.copy(camera.quaternion);
