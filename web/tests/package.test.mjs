@@ -26,7 +26,7 @@ test('every entry exports the version', async () => {
     assert.match(readFileSync(join(site, entry), 'utf8'), /^export \{ version \} from '.*\/version\.js';$/m, entry);
 });
 
-test('WebAssembly and JavaScript together weigh at most 820 KB, compressed', () => {
+test('WebAssembly and JavaScript together weigh at most 830 KB, compressed', () => {
   const parts = {};
   const add = (part, path) => {
     parts[part] = (parts[part] ?? 0) + gzipSync(readFileSync(path), { level: 9 }).length;
@@ -38,7 +38,7 @@ test('WebAssembly and JavaScript together weigh at most 820 KB, compressed', () 
       if (file.endsWith('.js')) add(folder, join(site, folder, file));
   console.log(parts);
   const total = Object.values(parts).reduce((sum, part) => sum + part, 0);
-  assert.ok(total <= 820e3, `${total} bytes`);
+  assert.ok(total <= 830e3, `${total} bytes`);
 });
 
 /** The files that npm packs; `text(path)` and `weight(path, …)` read them. */
@@ -56,19 +56,19 @@ const packed = (() => {
   }
 })();
 
-test('the package is at most 1.35 MB, 3.6 MB unpacked', { skip }, () => {
+test('the package is at most 1.42 MB, 3.8 MB unpacked', { skip }, () => {
   const { size, unpackedSize } = packed;
   console.log(`tarball ${size} bytes, unpacked ${unpackedSize}`);
-  assert.ok(size <= 1.35e6 && unpackedSize <= 3.6e6);
+  assert.ok(size <= 1.42e6 && unpackedSize <= 3.8e6);
 });
 
-test('three.js\' adapter weighs at most 455 KB, the element 790 KB, without a bundler, compressed', { skip }, () => {
+test('three.js\' adapter weighs at most 465 KB, the element 800 KB, without a bundler, compressed', { skip }, () => {
   const modules = (...folders) => packed.paths.filter((path) => path.endsWith('.js') && folders.some((folder) => path.startsWith(`dist/${folder}/`)));
   const wasm = (name) => [`dist/wasm/${name}.wasm`, `dist/wasm/${name}.mjs`];
   const adapter = packed.weight(...wasm('edgeshade-masks'), 'dist/element/webassembly.js', ...modules('masks', 'three'));
   const element = packed.weight(...wasm('edgeshade'), ...modules('element'));
   console.log(`adapter ${adapter} bytes, element ${element}`);
-  assert.ok(adapter <= 455e3 && element <= 790e3);
+  assert.ok(adapter <= 465e3 && element <= 800e3);
 });
 
 test('npm packs every entry with its types, workers and WebAssembly', { skip }, () => {
