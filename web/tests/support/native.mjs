@@ -50,7 +50,7 @@ export const rendered = ({ camera: { from, to, fov }, lights, left }, options = 
  * time: {of, at(x, y)}; at() returns {lit, surface}. */
 export const sunHours = ({ sun: { place, time, north }, camera: { from, to, fov } }, step) => inFolder((folder) => {
   const [counts, report] = [join(folder, 'counts.png'), join(folder, 'report.json')];
-  execFileSync(program, ['sunhours', join(repository, 'assets/pavilion.glb'), join(folder, 'hours.png'),
+  execFileSync(program, ['sunhours', join(repository, 'assets/pavilion.glb'), join(folder, 'hours.png'), '--by', 'masks',
     '--size', '1280x720', '--camera-from', `${from}`, '--camera-to', `${to}`, '--fov', `${fov}`,
     '--place', `${place}`, '--north', `${north}`, '--date', time.slice(0, 10), '--utc-offset', time.slice(-6),
     '--step', `${step}`, '--counts', counts, '--report', report], { stdio: 'pipe', timeout: 120000 });
