@@ -53,7 +53,8 @@ test('a page at rest draws a frame without shadows, one with masks and one that 
   });
   assert.ok(told.needed);
   assert.deepEqual(told.first.count, ['-1 pending, 0 looked up', '0 pending, 0 looked up', '0 pending, 1 looked up']);
-  assert.deepEqual(told.moved.count, ['0 pending, 0 looked up', '0 pending, 1 looked up']);
+  // It leaves the map, is counted on top of another, and is in a third after a long rest.
+  assert.deepEqual(told.moved.count, ['0 pending, 0 looked up', '0 pending, 1 looked up', '0 pending, 1 looked up']);
   assert.deepEqual(told.again.count, ['0 pending, 1 looked up'], 'a frame that the page draws itself');
   for (const { needsUpdate, right } of [told.first, told.moved, told.again]) {
     assert.equal(needsUpdate, false);
