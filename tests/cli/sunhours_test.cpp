@@ -436,8 +436,9 @@ TEST_F(SunHours, InterruptedLeavesNoPartialFile) {
         const TempFolder folder;
         ChildProcess process(EDGESHADE_PROGRAM,
                              Words{"sunhours", std::string(EDGESHADE_ASSETS) + "/pavilion.glb",
-                                   folder / "out.png", "--size", "320x180", "--step", "1",
-                                   "--report", folder / "report.json"} +
+                                   folder / "out.png", "--size", "1920x1080", "--step", "1", "--by",
+                                   delay == 600 ? "masks" : "rays", "--report",
+                                   folder / "report.json"} +
                                  equinox);
         std::this_thread::sleep_for(std::chrono::milliseconds(delay));
         process.send(SIGINT);

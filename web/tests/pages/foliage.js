@@ -90,15 +90,13 @@ export function blobs(width, height, { green = false, seed = 7 } = {}) {
 
 /** Draws frames until a light's map holds all casters, also those that have changed lately. */
 export async function wholly({ rested }, shadows, scene, camera, lights = 1) {
-  for (let i = 0; i < 15; ++i) { // until new textures are read
-    await new Promise((resolve) => { setTimeout(resolve, 100); });
-    shadows.render(scene, camera);
-  }
   await rested(shadows, scene, camera, lights);
   const holdAll = () => [...shadows.lights.values()].filter(({ method }) => method === 'lookup').length === lights;
-  for (const since = performance.now(); !holdAll() && performance.now() - since < 30000;) {
-    await new Promise((resolve) => { setTimeout(resolve, 150); });
-    shadows.render(scene, camera);
+  const pause = () => new Promise((resolve) => { setTimeout(resolve, 150, false); });
+  for (const since = performance.now(); performance.now() - since < 30000;) {
+    shadows.render(scene, camera); // reads new textures
+    const settled = await Promise.race([shadows.settled.then(() => true), pause()]);
+    if (settled && holdAll()) break;
   }
   return shadows.cost.lookedUp;
 }
