@@ -334,13 +334,14 @@ export class ExactShadows extends EventTarget {
       this.#patches.lookFor({ cutouts: this.#casters?.cutsOut, tints: this.#casters?.tints });
     }
     const receiving = new Map(); // by material: the least castingOf() of its meshes
+    const note = (material, casting) => material && receiving.set(material, Math.min(casting, receiving.get(material) ?? 2));
+    const since = this.#resting?.heldSince;
     for (const mesh of meshes) {
       if (!mesh.receiveShadow) continue;
-      const casting = this.#casters?.castingOf(mesh, this.#resting.heldSince) ?? 0;
-      const note = (material) => material && receiving.set(material, Math.min(casting, receiving.get(material) ?? 2));
-      if (Array.isArray(mesh.material)) mesh.material.forEach(note);
-      else note(mesh.material);
-      note(scene.overrideMaterial);
+      const casting = this.#casters?.castingOf(mesh, since) ?? 0;
+      if (Array.isArray(mesh.material)) for (const material of mesh.material) note(material, casting);
+      else note(mesh.material, casting);
+      note(scene.overrideMaterial, casting);
     }
     for (const [material, casting] of receiving) this.#patches.add(material, casting);
     return { lights, meshes };
@@ -350,7 +351,7 @@ export class ExactShadows extends EventTarget {
   #goOn() {
     if (this.#lost) return null;
     this.#casters.advance();
-    this.#texels.advance();
+    this.#texels.take();
     const maps = this.#resting.follow(this.#lights, this.#isSettled);
     for (let slot = 0; slot < mostSlots; ++slot) if (!maps.some((map) => map?.slot === slot)) this.#hideMap(slot);
     return this.#standing(maps);

@@ -88,12 +88,17 @@ export class TexelReading {
     return { number: version === asked ? number : null, opaque, why };
   }
 
-  /** Call it once a frame: takes what the GPU has finished, and frees what nothing uses. */
-  advance() {
-    this.#frame += 1;
+  /** Takes what the GPU has finished. */
+  take() {
     const gl = this.#renderer.getContext();
     const done = this.#entries.find(({ reading }) => reading && gl.getSyncParameter(reading.sync, gl.SYNC_STATUS) === gl.SIGNALED);
     if (done) this.#finish(gl, done);
+  }
+
+  /** Call it once a frame: takes what the GPU has finished, and frees what nothing uses. */
+  advance() {
+    this.#frame += 1;
+    this.take();
     for (const kept of Object.values(this.#kept))
       for (const [texture, entry] of kept) {
         if (this.#frame - entry.seen < patience || entry.reading) continue;
