@@ -83,7 +83,7 @@ function placesOf(mesh, origin) {
 
 /** The engine's record of a part, which stands for the `whole` mesh. */
 const recordOf = (whole) => ({ whole, key: null, entry: null, ids: [], places: [], alphas: [], tints: [], shown: null, clippings: unclipped,
-  queued: false, round: 0, changed: 0 });
+  queued: false, round: 0, changed: Infinity }); // `changed`: since when it has been in the engine as it is
 
 export class Casters {
   #masks;
@@ -92,7 +92,7 @@ export class Casters {
   #touched;
   #failed;
   #queue;
-  #prepared = new Map(); // by key: {number or null while pending, users, origin of its positions}
+  #prepared = new Map(); // by key: {number or null while pending, users, origin of its positions, isFar: whether that isn't 0}
   #meshes = new Map();   // by part: the engine's record of it
   #pending = 0;          // records in the queue
   #round = 0;            // number of follow()'s calls
@@ -135,13 +135,17 @@ export class Casters {
    * that maps begun later hold it; 0: neither.
    */
   castingOf(mesh, since) {
+    const parts = this.#parts.last(mesh);
+    if (!parts) return this.#castingOfPart(mesh, since);
     let casting = 2;
-    for (const part of this.#parts.last(mesh) ?? [mesh]) {
-      const had = this.#meshes.get(part);
-      if (!had?.casts && !had?.alphas[0]?.cutsOut) return 0;
-      if (!(had.changed < since)) casting = 1;
-    }
+    for (const part of parts) casting = Math.min(casting, this.#castingOfPart(part, since));
     return casting;
+  }
+
+  #castingOfPart(part, since) {
+    const had = this.#meshes.get(part);
+    if (!had?.casts && !had?.alphas[0]?.cutsOut) return 0;
+    return had.changed < since ? 2 : 1;
   }
 
   /** Whether some meshes cast what their alpha leaves, where a light is looked up. */
@@ -174,15 +178,18 @@ export class Casters {
     this.#round += 1;
     let count = 0;
     this.#cutsOut = this.#tints = false;
+    const follow = (part, mesh) => {
+      const role = roleOf(part, alphaTested, transparentCast);
+      if (!role || this.#isLeftOut(part, role, mesh)) return;
+      count += 1;
+      this.#cutsOut ||= Boolean(role.cutsOut);
+      this.#tints ||= Boolean(role.tinting);
+      this.#followOne(part, role, mesh, fresh);
+    };
     for (const mesh of meshes) {
-      for (const part of this.#parts.of(mesh) ?? [mesh]) {
-        const role = roleOf(part, alphaTested, transparentCast);
-        if (!role || this.#isLeftOut(part, role, mesh)) continue;
-        count += 1;
-        this.#cutsOut ||= Boolean(role.cutsOut);
-        this.#tints ||= Boolean(role.tinting);
-        this.#followOne(part, role, mesh, fresh);
-      }
+      const parts = this.#parts.of(mesh);
+      if (!parts) follow(mesh, mesh);
+      else for (const part of parts) follow(part, mesh);
     }
     if (count < this.#meshes.size) for (const [part, had] of this.#meshes) if (had.round !== this.#round) this.#drop(part);
     this.#admit(fresh);
@@ -223,15 +230,13 @@ export class Casters {
     for (const had of this.#meshes.values()) Object.assign(had, { ids: [], places: [], alphas: [], tints: [], shown: null });
   }
 
-  clear() {
-    for (const mesh of [...this.#meshes.keys()]) this.#drop(mesh);
-  }
-
   /** Follows a part of a mesh, or adds it to the `fresh` ones, which may have to wait. */
   #followOne(mesh, role, whole, fresh) {
     let had = this.#meshes.get(mesh);
     if (!had) this.#meshes.set(mesh, had = recordOf(whole));
-    Object.assign(had, { casts: role.casts, cutsOut: Boolean(role.cutsOut), whole, round: this.#round });
+    had.casts = role.casts;
+    had.cutsOut = Boolean(role.cutsOut);
+    had.round = this.#round;
     const posed = isPosed(mesh);
     if (posed) this.#pose(mesh, role, had);
     else this.#followShape(mesh, role, had);
@@ -242,8 +247,7 @@ export class Casters {
 
   /** Brings a mesh that is prepared up to date. */
   #finish(mesh, role, had) {
-    const { number, origin } = had.entry;
-    const isFar = origin.some((at) => at !== 0);
+    const { number, origin, isFar } = had.entry;
     if (isFar && !canPlaceFar(mesh)) this.#warn(had.whole, "has imprecise shadows: its instances or bones move vertices that are far from its origin");
     this.#clip(mesh, had);
     this.#place(mesh, number, origin, had);
@@ -348,6 +352,7 @@ export class Casters {
     const drawn = shapeOf(mesh);
     const shape = { ...drawn, ...nearOrigin(drawn.positions), casts, doubleSided, visible };
     entry.origin = shape.origin;
+    entry.isFar = shape.origin.some((at) => at !== 0);
     if (inward) shape.indices.reverse();
     const { first, positions: { length } } = shape;
     return tested ? { ...shape, alphaTested: true, texcoords: texcoordsOf(mesh, texcoords).subarray(2 * first, 2 * first + length / 1.5) } : shape;

@@ -13,6 +13,12 @@ const isPlain = (material) => !(material.alphaTest > 0 || material.transparent |
 const standsIn = (override, mesh) => [mesh.material].flat().every((own) =>
   own.allowOverride === false || (isPlain(override) && isPlain(own) && own.side === override.side));
 
+/** The first mesh with shadows that passes a test, or null. */
+function firstOf(meshes, test) {
+  for (const mesh of meshes) if (mesh.castShadow + mesh.receiveShadow > 0 && test(mesh)) return mesh;
+  return null;
+}
+
 export class MaskViews {
   #renderer;
   #masks;
@@ -157,9 +163,10 @@ export class MaskViews {
 
   /** Why masks can't show these meshes: a clause, or ''. */
   #whyNoMasks(meshes, override) {
-    const unlike = override && [...meshes].find((mesh) => mesh.castShadow + mesh.receiveShadow > 0 && !standsIn(override, mesh));
+    const unlike = override && firstOf(meshes, (mesh) => !standsIn(override, mesh));
     if (unlike) return `scene.overrideMaterial shows other surfaces of mesh '${unlike.name}' than its own material`;
-    const other = [...meshes].find((mesh) => mesh.castShadow + mesh.receiveShadow > 0 && !this.#frame.meshes.has(mesh));
+    const followed = this.#frame.meshes;
+    const other = meshes !== followed && firstOf(meshes, (mesh) => !followed.has(mesh));
     return other ? `it sees mesh '${other.name}', which the camera of shadows.render() does not` : '';
   }
 
