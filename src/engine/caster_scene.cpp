@@ -41,13 +41,16 @@ CasterScene::CasterScene(SidesLayout layout, const gl::Capabilities& capabilitie
 }
 
 CasterScene::Id CasterScene::add(const PreparedMesh& mesh, const Matrix16& worldFromObject) {
-    const glm::dmat4 at = placeOf(worldFromObject);
+    return static_cast<Id>(insert(mesh, placeOf(worldFromObject)));
+}
+
+std::size_t CasterScene::insert(const PreparedMesh& mesh, const glm::dmat4& worldFromBatch) {
     const std::size_t batch = freeBatch();
     slots_[batch].use = Slot::Use::mesh;
     put(batch, mesh);
-    place(batch, at);
+    place(batch, worldFromBatch);
     slots_[batch].rest.moved = false;
-    return static_cast<Id>(batch);
+    return batch;
 }
 
 std::size_t CasterScene::freeBatch() {
@@ -65,13 +68,8 @@ std::size_t CasterScene::freeBatch() {
 std::vector<CasterScene::Id> CasterScene::add(const MergedMeshes& meshes) {
     const MergedMeshes::Data& group = *meshes.data();
     std::vector<std::size_t> batches;
-    for (const PlacedMesh& of : group.members) {
-        batches.push_back(freeBatch());
-        slots_[batches.back()].use = Slot::Use::mesh;
-        put(batches.back(), PreparedMesh(of.mesh));
-        place(batches.back(), of.worldFromMesh);
-        slots_[batches.back()].rest.moved = false;
-    }
+    for (const PlacedMesh& of : group.members)
+        batches.push_back(insert(PreparedMesh(of.mesh), of.worldFromMesh));
     if (mergedTriangles_ + mostTrianglesMerged <= mostMerged) showMerged(batches, group.merged);
     return {batches.begin(), batches.end()};
 }
@@ -94,7 +92,7 @@ void CasterScene::setAlpha(Id id, const MaskAlpha& alpha) {
     if (alpha.texels) requireTexels(*alpha.texels);
     const bool alike = cutAlike(slots_[id].alpha, alpha);
     slots_[id].alpha = alpha;
-    if (!alike) lookChanged(id);
+    if (!alike) casterChanged(id, false);
     if (slots_[id].mesh->alphaTested) gpu_->batches[id].alpha = lookupOf(alpha);
 }
 
@@ -106,7 +104,7 @@ void CasterScene::setTint(Id id, const std::optional<std::array<float, 3>>& tint
                              " of light through, not 0 to 1.");
     if (slots_[id].tint == tint) return;
     slots_[id].tint = tint;
-    lookChanged(id);
+    casterChanged(id, false);
 }
 
 AlphaLookup CasterScene::lookupOf(const MaskAlpha& alpha) const {
@@ -299,16 +297,10 @@ std::size_t CasterScene::drawnBatches() const {
                       [](const Batch& of) { return !of.geometry->indices.empty(); }));
 }
 
-void CasterScene::lookChanged(std::size_t batch) {
-    const bool moved = slots_[batch].rest.moved;
-    casterChanged(batch);
-    slots_[batch].rest.moved = moved;
-}
-
-void CasterScene::casterChanged(std::size_t batch) {
+void CasterScene::casterChanged(std::size_t batch, bool moves) {
     CasterRest& rest = slots_[batch].rest;
     if (!rest.moves(ShadowMasks::longRestMs)) ++restingState_;
-    rest = {++casterState_, std::chrono::steady_clock::now(), true};
+    rest = {++casterState_, std::chrono::steady_clock::now(), rest.moved || moves};
 }
 
 void CasterScene::changed() {
@@ -404,32 +396,26 @@ LookupState CasterScene::compare(std::span<const HeldCaster> held, double restMs
     return state;
 }
 
-std::vector<char> CasterScene::movers(std::span<const HeldCaster> held) const {
-    std::vector<char> counts(slots_.size(), 0);
+CasterScene::Movers CasterScene::moversOver(std::span<const HeldCaster> held) const {
+    Movers movers;
+    movers.counted.resize(slots_.size());
     for (std::size_t i = 0; i < slots_.size(); ++i)
-        counts[i] = isCaster(i);
+        movers.counted[i] = isCaster(i);
     for (const HeldCaster& of : held)
-        counts[of.batch] = 0;
-    return counts;
-}
-
-Box CasterScene::moverBounds(std::span<const HeldCaster> held) const {
-    const std::vector<char> counts = movers(held);
-    Box bounds;
+        movers.counted[of.batch] = 0;
     for (std::size_t i = 0; i < slots_.size(); ++i)
-        if (counts[i]) bounds.add(worldBox(i));
-    return bounds;
+        if (movers.counted[i]) movers.bounds.add(worldBox(i));
+    return movers;
 }
 
-void CasterScene::countMovers(FrameLight& light, std::span<const HeldCaster> held,
-                              const Box& visible) {
-    const std::vector<char> counts = movers(held);
+void CasterScene::countMovers(FrameLight& light, const Movers& movers, const Box& visible) {
     std::vector<std::shared_ptr<const PlanePairShadow>> records(slots_.size());
     for (std::size_t i = 0; i < slots_.size(); ++i) {
         const auto& members = slots_[i].members;
         gpu_->batches[i].animated =
-            counts[i] || std::any_of(members.begin(), members.end(),
-                                     [&](std::size_t member) { return counts[member]; });
+            movers.counted[i] ||
+            std::any_of(members.begin(), members.end(),
+                        [&](std::size_t member) { return movers.counted[member]; });
         if (gpu_->batches[i].animated) records[i] = loaded_.planePairs[i];
     }
     light.animatedAlone = true;

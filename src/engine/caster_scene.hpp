@@ -65,11 +65,16 @@ class CasterScene {
     /// As in ShadowMasks.
     std::size_t restingState() const { return restingState_; }
 
-    /// Bounds in the world of the casters that aren't held.
-    Box moverBounds(std::span<const HeldCaster> held) const;
-    /// Makes a light count only casters that aren't held: sets FrameLight::animatedAlone, its
-    /// layers, and which batches are animated.
-    void countMovers(FrameLight& light, std::span<const HeldCaster> held, const Box& visible);
+    /// Casters that a light's map doesn't hold.
+    struct Movers {
+        std::vector<char> counted; ///< by batch, whether it is one
+        Box bounds;                ///< in the world
+    };
+    /// All that are held must be casters.
+    Movers moversOver(std::span<const HeldCaster> held) const;
+    /// Makes a light count only movers: sets FrameLight::animatedAlone, its layers, and which
+    /// batches are animated.
+    void countMovers(FrameLight& light, const Movers& movers, const Box& visible);
 
     const LoadedScene& loaded() const { return loaded_; }
     GpuScene& gpu() { return *gpu_; }
@@ -120,6 +125,8 @@ class CasterScene {
     void requireKnown(Id id) const;
     /// The number of an unused batch, hidden.
     std::size_t freeBatch();
+    /// Takes in a new mesh, which is at rest. Returns its batch.
+    std::size_t insert(const PreparedMesh& mesh, const glm::dmat4& worldFromBatch);
     void place(std::size_t batch, const glm::dmat4& worldFromBatch);
     void put(std::size_t batch, const PreparedMesh& mesh);
     /// Clips a mesh again. Returns whether the batch has to draw another one.
@@ -137,14 +144,10 @@ class CasterScene {
     void showMerged(const std::vector<std::size_t>& members, const MergedMesh& merged);
     AlphaLookup lookupOf(const MaskAlpha& alpha) const;
     void changed();
-    /// Notes that a caster comes, goes, changes or moves.
-    void casterChanged(std::size_t batch);
-    /// Notes that a caster has another alpha or tint: maps of it end, and the next ones may hold
-    /// it.
-    void lookChanged(std::size_t batch);
+    /// Notes that a caster comes, goes or changes: maps of it end. `moves`: it is a mover for a
+    /// while, which the next maps don't hold.
+    void casterChanged(std::size_t batch, bool moves = true);
     Box worldBox(std::size_t batch) const;
-    /// By batch, whether it is a caster that isn't held. All that are held must be casters.
-    std::vector<char> movers(std::span<const HeldCaster> held) const;
     bool isCaster(std::size_t batch) const {
         return slots_[batch].use == Slot::Use::mesh && slots_[batch].casts();
     }

@@ -120,11 +120,12 @@ void MaskDrawing::draw(const MaskView& of, const std::vector<Light>& lights,
     fit(of.width, of.height, lights.size());
     vertexRuns = 0;
     const PixelRectangle whole{0, 0, width, height};
+    std::vector<CasterScene::Movers> movers(lights.size());
     std::vector<PixelRectangle> parts;
     PixelRectangle reach;
     for (std::size_t i = 0; i < lights.size(); ++i) {
-        parts.push_back(looksUp(i) ? shadowReach(view, casters.moverBounds(lookups.held(ids[i])),
-                                                 view.lights[i].light)
+        if (looksUp(i)) movers[i] = casters.moversOver(lookups.held(ids[i]));
+        parts.push_back(looksUp(i) ? shadowReach(view, movers[i].bounds, view.lights[i].light)
                                    : whole);
         reach = united(reach, parts.back());
     }
@@ -147,7 +148,7 @@ void MaskDrawing::draw(const MaskView& of, const std::vector<Light>& lights,
     for (std::size_t i = 0; i < lights.size(); ++i) {
         if (looksUp(i)) {
             clearMask(i);
-            casters.countMovers(view.lights[i], lookups.held(ids[i]), view.visible);
+            casters.countMovers(view.lights[i], movers[i], view.visible);
         }
         view.part = parts[i];
         if (!parts[i].empty()) drawLight(view, i);
