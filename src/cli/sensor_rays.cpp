@@ -19,9 +19,7 @@ rays::IsHole holesOf(const LoadedScene& loaded) {
     if (!loaded.cutoutsCast) return {};
     return [&materials = loaded.scene.materials, alpha = lab::textureAlpha(loaded)](
                const rays::SurfaceTriangle& triangle, double u, double v) {
-        const Material& material = materials[triangle.material];
-        return material.alphaMode == AlphaMode::mask &&
-               alpha.at(triangle, u, v) < material.alphaCutoff;
+        return alpha.cutsOut(materials, triangle, u, v);
     };
 }
 

@@ -1,6 +1,7 @@
 #include "src/lab/exact_judge.hpp"
 
 #include "src/rays/exact_blocking.hpp"
+#include "src/rays/exact_vector.hpp"
 
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
@@ -11,39 +12,17 @@ namespace edgeshade::lab {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
+using Vector = rays::ExactVector<Rational>;
 
-/// A vector of rationals.
-struct Vector {
-    Rational x, y, z;
-
-    Vector() = default;
-    explicit Vector(const glm::dvec3& v) : x(v.x), y(v.y), z(v.z) {}
-    Vector(Rational px, Rational py, Rational pz)
-        : x(std::move(px)), y(std::move(py)), z(std::move(pz)) {}
-};
-
-Vector operator+(const Vector& a, const Vector& b) {
-    return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-Vector operator-(const Vector& a, const Vector& b) {
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-Vector operator*(const Rational& s, const Vector& v) {
-    return {s * v.x, s * v.y, s * v.z};
-}
-
-Rational dot(const Vector& a, const Vector& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-Vector cross(const Vector& a, const Vector& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+Vector exactly(const glm::dvec3& v) {
+    return {Rational(v.x), Rational(v.y), Rational(v.z)};
 }
 
 struct ExactTriangle {
     Vector a, b, c, normal;
 
-    explicit ExactTriangle(const SurfaceTriangle& t) : a(t.a), b(t.b), c(t.c) {
+    explicit ExactTriangle(const SurfaceTriangle& t)
+        : a(exactly(t.a)), b(exactly(t.b)), c(exactly(t.c)) {
         normal = cross(b - a, c - a);
     }
 };
@@ -95,7 +74,7 @@ bool isBlocked(const Oracle& oracle, const rays::SurfacePoint& point, std::size_
 /// Whether a point is within the cone; `fromLight`: its position relative to the light. The angle's
 /// tangent is rounded.
 bool isInCone(const Cone& cone, const Vector& fromLight) {
-    const Vector axis(cone.axis);
+    const Vector axis = exactly(cone.axis);
     const Rational along = dot(axis, fromLight), slope(std::tan(cone.outer));
     const Vector aside = cross(axis, fromLight);
     return along > 0 && dot(aside, aside) < slope * slope * along * along;
@@ -105,7 +84,7 @@ bool isInCone(const Cone& cone, const Vector& fromLight) {
 
 std::optional<ExactSurface> surfaceExactly(const Oracle& oracle, double x, double y) {
     const PixelRay ray = pixelRay(oracle.question(), x, y);
-    const Vector direction(ray.direction), origin(ray.origin);
+    const Vector direction = exactly(ray.direction), origin = exactly(ray.origin);
     const Rational near(oracle.question().near);
     std::optional<ExactHit> nearest;
     ExactSurface surface;
@@ -137,7 +116,7 @@ Verdict judgeExactly(const Oracle& oracle, double x, double y) {
     const std::uint32_t own = seen->triangle;
     const ExactTriangle surface(oracle.triangles()[own]);
     const rays::SurfacePoint lineOfSight{ray.origin, ray.direction, own};
-    const Vector origin(ray.origin), direction(ray.direction);
+    const Vector origin = exactly(ray.origin), direction = exactly(ray.direction);
     const Vector point = origin + dot(surface.normal, surface.a - origin) /
                                       dot(surface.normal, direction) * direction;
     const int eyeSide = -signOf(dot(surface.normal, direction));
@@ -145,13 +124,13 @@ Verdict judgeExactly(const Oracle& oracle, double x, double y) {
     for (std::size_t i = 0; i < question.lights.size(); ++i) {
         const glm::dvec4 light = oracle.lightFromEye(i);
         const int lightSide =
-            signOf(dot(surface.normal, Vector(glm::dvec3(light)) - Rational(light.w) * surface.a));
+            signOf(dot(surface.normal, exactly(glm::dvec3(light)) - Rational(light.w) * surface.a));
         if (const double range = oracle.rangeOf(i); std::isfinite(range)) {
-            const Vector towards = Vector(glm::dvec3(light)) - Rational(light.w) * point;
+            const Vector towards = exactly(glm::dvec3(light)) - Rational(light.w) * point;
             if (dot(towards, towards) >= Rational(range) * Rational(range)) continue;
         }
         if (const Cone* cone = oracle.coneOf(i))
-            if (!isInCone(*cone, point - Vector(glm::dvec3(light)))) continue;
+            if (!isInCone(*cone, point - exactly(glm::dvec3(light)))) continue;
         if (lightSide == 0) verdict.coincident = true;
         const bool turnedAway = oracle.triangles()[own].casts && eyeSide * lightSide < 0;
         if (!turnedAway && !oracle.isGrazed(own, i) && !isBlocked(oracle, lineOfSight, i))

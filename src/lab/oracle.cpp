@@ -169,9 +169,7 @@ const Cone* Oracle::coneOf(std::size_t light) const {
 }
 
 bool Oracle::isCutOut(const SurfaceTriangle& triangle, double u, double v) const {
-    const Material& material = question_.scene->materials[triangle.material];
-    return material.alphaMode == AlphaMode::mask &&
-           alpha_.at(triangle, u, v) < material.alphaCutoff;
+    return alpha_.cutsOut(question_.scene->materials, triangle, u, v);
 }
 
 bool Oracle::isHole(const SurfaceTriangle& triangle, double u, double v) const {

@@ -65,6 +65,13 @@ struct AlphaLookup {
     /// 2 leaves the choice of mipmap levels open (2.0.25, 3.7.7). `places`: the coordinates at the
     /// pixel's centre, one pixel to the right and one below. Null: use `at`.
     std::function<glm::vec2(const SurfaceTriangle&, const std::array<glm::dvec2, 3>& places)> range;
+
+    /// Whether the alpha of the triangle's material leaves out the surface there.
+    bool cutsOut(const std::vector<Material>& materials, const SurfaceTriangle& triangle, double u,
+                 double v) const {
+        const Material& material = materials[triangle.material];
+        return material.alphaMode == AlphaMode::mask && at(triangle, u, v) < material.alphaCutoff;
+    }
 };
 
 /// Decides what is lit by casting rays, as defined in docs/method.md, C30. Embree in robust mode

@@ -1,5 +1,7 @@
 #include "src/rays/exact_blocking.hpp"
 
+#include "src/rays/exact_vector.hpp"
+
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
@@ -10,29 +12,7 @@ namespace edgeshade::rays {
 namespace {
 
 using Integer = boost::multiprecision::cpp_int;
-
-/// A vector of integers.
-struct Vector {
-    Integer x, y, z;
-};
-
-Vector operator+(const Vector& a, const Vector& b) {
-    return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-Vector operator-(const Vector& a, const Vector& b) {
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-Vector operator*(const Integer& s, const Vector& v) {
-    return {s * v.x, s * v.y, s * v.z};
-}
-
-Integer dot(const Vector& a, const Vector& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-Vector cross(const Vector& a, const Vector& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
+using Vector = ExactVector<Integer>;
 
 /// The power of two of which doubles become multiples.
 class Grid {
