@@ -1,6 +1,7 @@
 #include "src/plot/canvas.hpp"
 
 #include "preprocess/base/base64.hpp"
+#include "preprocess/base/markup.hpp"
 #include "src/image/png.hpp"
 
 #include <cmath>
@@ -9,21 +10,6 @@
 
 namespace edgeshade::plot {
 namespace {
-
-std::string escaped(const std::string& text) {
-    std::string safe;
-    for (const char c : text) {
-        if (c == '&')
-            safe += "&amp;";
-        else if (c == '<')
-            safe += "&lt;";
-        else if (c == '>')
-            safe += "&gt;";
-        else
-            safe += c;
-    }
-    return safe;
-}
 
 /// Rounds to a tenth of a pixel, which is precise enough.
 std::string number(double value) {
@@ -78,7 +64,7 @@ class SvgCanvas : public Canvas {
         if (hover.empty())
             text_ << "/>\n";
         else
-            text_ << "><title>" << escaped(hover) << "</title></" << element << ">\n";
+            text_ << "><title>" << escapedForMarkup(hover) << "</title></" << element << ">\n";
     }
 
     void rectangle(const Rectangle& rectangle, Color fill) override {
@@ -102,7 +88,7 @@ class SvgCanvas : public Canvas {
         if (style.upwards)
             text_ << " transform=\"rotate(-90 " << number(baseline.x) << " " << number(baseline.y)
                   << ")\"";
-        text_ << ">" << escaped(text) << "</text>\n";
+        text_ << ">" << escapedForMarkup(text) << "</text>\n";
     }
 
     Bytes file() override {

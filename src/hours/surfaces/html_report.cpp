@@ -1,6 +1,7 @@
 #include "src/hours/surfaces/html_report.hpp"
 
 #include "preprocess/base/base64.hpp"
+#include "preprocess/base/markup.hpp"
 #include "src/image/png.hpp"
 #include "src/sun/direction.hpp"
 
@@ -42,23 +43,6 @@ tr { break-inside: avoid; } thead { display: table-header-group; }
   * { print-color-adjust: exact; -webkit-print-color-adjust: exact; } }
 )";
 
-std::string escaped(std::string_view text) {
-    std::string safe;
-    for (const char c : text) {
-        if (c == '&')
-            safe += "&amp;";
-        else if (c == '<')
-            safe += "&lt;";
-        else if (c == '>')
-            safe += "&gt;";
-        else if (c == '"')
-            safe += "&quot;";
-        else
-            safe += c;
-    }
-    return safe;
-}
-
 std::string rounded(double value, int digits) {
     char text[64];
     std::snprintf(text, sizeof text, "%.*f", digits, value);
@@ -92,8 +76,8 @@ class Page {
             (settings_.preset ? std::string(settings_.preset->source) : "Hours of sun") + ": " +
             settings_.file;
         page_ = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" +
-                escaped(title) + "</title><style>" + style + "</style></head>\n<body>\n<h1>" +
-                escaped(title) + "</h1>\n";
+                escapedForMarkup(title) + "</title><style>" + style +
+                "</style></head>\n<body>\n<h1>" + escapedForMarkup(title) + "</h1>\n";
         addVerdict();
         addPicture(fromSouthWest, "From the south-west.");
         addPicture(fromNorthEast, "From the north-east.");
@@ -215,9 +199,9 @@ class Page {
         for (const Json& check : report_["rule"]["checks"]) {
             const std::string note = check["inside_solid"].get<bool>() ? " (inside a solid)" : "";
             page_ += "<tr>" + cell(std::to_string(++number), "number") +
-                     cell(escaped(check["name"].get<std::string>()) + note) +
-                     cell(escaped(check["material"].get<std::string>())) + cell(daysText()) +
-                     cell(rounded(check["hours"].get<double>(), 2), "number") +
+                     cell(escapedForMarkup(check["name"].get<std::string>()) + note) +
+                     cell(escapedForMarkup(check["material"].get<std::string>())) +
+                     cell(daysText()) + cell(rounded(check["hours"].get<double>(), 2), "number") +
                      cell(rounded(*settings_.threshold, 2), "number") +
                      cell(timesText(check["lit"])) +
                      cell(verdictText(check["passes"].get<bool>())) + "</tr>\n";
@@ -230,7 +214,7 @@ class Page {
                                "area with enough, %", "wanted, %", "result"});
         for (const Json& check : report_["rule"]["checks"])
             page_ +=
-                "<tr>" + cell(escaped(check["name"].get<std::string>())) +
+                "<tr>" + cell(escapedForMarkup(check["name"].get<std::string>())) +
                 cell(rounded(check["area"].get<double>(), 2), "number") + cell(daysText()) +
                 cell(rounded(check["hours"].get<double>(), 2), "number") +
                 cell(rounded(check["area_above_threshold_percent"].get<double>(), 1), "number") +
@@ -250,7 +234,7 @@ class Page {
             columns.push_back(heading);
         startTable("Surfaces by node", columns);
         for (const Json& node : report_["by_node"]) {
-            page_ += "<tr>" + cell(escaped(node["name"].get<std::string>())) +
+            page_ += "<tr>" + cell(escapedForMarkup(node["name"].get<std::string>())) +
                      cell(rounded(node["area"].get<double>(), 2), "number");
             for (const char* key : {"min", "mean", "max"})
                 page_ += cell(rounded(node["hours"][key].get<double>(), 2), "number");
@@ -262,7 +246,7 @@ class Page {
     }
 
     void addRow(const std::string& name, const std::string& value) {
-        page_ += "<tr>" + cell(escaped(name)) + cell(escaped(value)) + "</tr>\n";
+        page_ += "<tr>" + cell(escapedForMarkup(name)) + cell(escapedForMarkup(value)) + "</tr>\n";
     }
 
     void addSettings() {
@@ -290,7 +274,7 @@ class Page {
     void addFiles() {
         startTable("Files of the scene", {"file", "SHA-256"});
         for (const Json& file : run_.files)
-            page_ += "<tr>" + cell(escaped(file["name"].get<std::string>())) +
+            page_ += "<tr>" + cell(escapedForMarkup(file["name"].get<std::string>())) +
                      cell(file["sha256"].get<std::string>(), "hash") + "</tr>\n";
         endTable();
     }
@@ -299,7 +283,7 @@ class Page {
         if (run_.warnings.empty()) return;
         page_ += "<h2>Warnings</h2>\n<ul>";
         for (const std::string& warning : run_.warnings)
-            page_ += "<li>" + escaped(warning) + "</li>";
+            page_ += "<li>" + escapedForMarkup(warning) + "</li>";
         page_ += "</ul>\n";
     }
 
