@@ -7,9 +7,9 @@
 #include "src/gl/headless_context.hpp"
 #include "src/scene/load.hpp"
 #include "src/shadow/view/frustum.hpp"
+#include "tests/bench/egl_host.hpp"
 #include "tests/bench/told_scenes.hpp"
 
-#include <EGL/egl.h>
 #include <glm/gtc/type_ptr.hpp>
 #include <map>
 
@@ -19,16 +19,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int frames = 400, width = 1280, height = 720;
-
-void* lookUp(const char* name) {
-    return reinterpret_cast<void*>(eglGetProcAddress(name));
-}
-
-Matrix16 numbersOf(const glm::dmat4& matrix) {
-    Matrix16 numbers;
-    std::copy_n(glm::value_ptr(matrix), 16, numbers.begin());
-    return numbers;
-}
 
 /// Adds a batch as its nodes' meshes. Returns their number.
 std::size_t addMeshes(ShadowMasks& masks, const Batch& batch) {
@@ -63,7 +53,7 @@ Json measured(const std::string& path) {
     const gl::HeadlessContext context({width, height});
     const LoadedScene loaded = loadScene(path, std::nullopt);
     const Box bounds = worldBounds(loaded.scene);
-    ShadowMasks masks(lookUp);
+    ShadowMasks masks(eglAddressOf);
     std::size_t meshes = 0;
     for (const Batch& batch : loaded.scene.batches)
         meshes += addMeshes(masks, batch);

@@ -7,11 +7,11 @@
 #include "src/gl/headless_context.hpp"
 #include "src/scene/load.hpp"
 #include "src/shadow/view/frustum.hpp"
+#include "tests/bench/egl_host.hpp"
 #include "tests/bench/told_scenes.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <EGL/egl.h>
 #include <GLES2/gl2.h>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -23,16 +23,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int frames = 40, width = 1280, height = 720;
-
-void* lookUp(const char* name) {
-    return reinterpret_cast<void*>(eglGetProcAddress(name));
-}
-
-Matrix16 numbersOf(const glm::dmat4& matrix) {
-    Matrix16 numbers{};
-    std::copy_n(glm::value_ptr(matrix), 16, numbers.begin());
-    return numbers;
-}
 
 /// Triangles on the CPU.
 struct Shape {
@@ -189,7 +179,7 @@ Json measured(const std::string& path) {
     const gl::HeadlessContext context({width, height});
     const LoadedScene loaded = loadScene(path, std::nullopt);
     const Box bounds = worldBounds(loaded.scene);
-    ShadowMasks masks(lookUp);
+    ShadowMasks masks(eglAddressOf);
     Host host;
     for (const Batch& batch : loaded.scene.batches) {
         const Geometry& geometry = *batch.geometry;

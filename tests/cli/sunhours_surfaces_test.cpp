@@ -37,10 +37,7 @@ class SunHoursOfSurfaces : public testing::Test {
                             equinox + more);
     }
 
-    CsvTable table() const {
-        const Bytes bytes = readFile(csv_);
-        return csvTableOf(std::string(bytes.begin(), bytes.end()));
-    }
+    CsvTable table() const { return readCsv(csv_); }
     Json report() const {
         const Bytes bytes = readFile(report_);
         return Json::parse(bytes.begin(), bytes.end());

@@ -1,7 +1,8 @@
 // sunhours and sunhours-merge: hours derived from geometry, splitting, bad usage.
+#include "tests/support/blocks.hpp"
 #include "tests/support/child_process.hpp"
-#include "tests/support/gltf_builder.hpp"
 #include "tests/support/temp_folder.hpp"
+#include "tests/support/words.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -15,13 +16,6 @@
 namespace edgeshade::test {
 namespace {
 
-using Words = std::vector<std::string>;
-
-Words operator+(Words words, const Words& more) {
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
-}
-
 /// 16-bit grey and alpha.
 struct Counts {
     int width = 0, height = 0;
@@ -34,22 +28,6 @@ struct Counts {
     std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                static_cast<std::size_t>(x);
-    }
-};
-
-/// A box in the world, grown by `margin`, for a ray that starts outside it.
-struct Block {
-    glm::dvec3 low, high;
-
-    bool blocks(const glm::dvec3& from, const glm::dvec3& direction, double margin) const {
-        double enter = 0.0, leave = 1e30;
-        for (glm::length_t c = 0; c < 3; ++c) {
-            const double a = (low[c] - margin - from[c]) / direction[c];
-            const double b = (high[c] + margin - from[c]) / direction[c];
-            enter = std::max(enter, std::min(a, b));
-            leave = std::min(leave, std::max(a, b));
-        }
-        return enter < leave;
     }
 };
 
@@ -68,18 +46,7 @@ class SunHours : public testing::Test {
 
     /// The same floor with boxes on it.
     std::string withBlocks(const std::string& name, const std::vector<Block>& blocks) {
-        GltfBuilder gltf;
-        gltf.addNode({{"mesh", gltf.addShape(box(glm::vec3(8.0f, 0.5f, 8.0f)))},
-                      {"name", "lawn"},
-                      {"translation", {0, -0.5, 0}}});
-        int number = 0;
-        for (const Block& block : blocks) {
-            const glm::dvec3 center = 0.5 * (block.low + block.high);
-            gltf.addNode({{"mesh", gltf.addShape(box(glm::vec3(0.5 * (block.high - block.low))))},
-                          {"name", "block " + std::to_string(++number)},
-                          {"translation", {center.x, center.y, center.z}}});
-        }
-        return folder_.write(name, gltf.glb());
+        return folder_.write(name, blocksOnALawn(blocks));
     }
 
     ProcessResult run(const std::string& scene, const Words& more) {

@@ -29,10 +29,7 @@ class SunHoursByWeather : public testing::Test {
                   folder_.write("station.epw", weather)} +
             more);
     }
-    CsvTable table() const {
-        const Bytes bytes = readFile(csv_);
-        return csvTableOf(std::string(bytes.begin(), bytes.end()));
-    }
+    CsvTable table() const { return readCsv(csv_); }
     Json report() const {
         const Bytes bytes = readFile(report_);
         return Json::parse(bytes.begin(), bytes.end());

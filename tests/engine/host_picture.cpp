@@ -155,19 +155,35 @@ Wrong compared(const Mask& mask, const Mask& expected) {
     Wrong wrong;
     for (int y = 0; y < hostHeight; ++y)
         for (int x = 0; x < hostWidth; ++x) {
-            const auto at = [](int u, int v) {
-                return static_cast<std::size_t>(v * hostWidth + u);
-            };
-            const std::uint8_t here = expected[at(x, y)];
-            if (mask[at(x, y)] == here) continue;
+            const auto at = static_cast<std::size_t>(y * hostWidth + x);
+            if (mask[at] == expected[at]) continue;
             ++wrong.all;
-            bool boundary = false;
-            for (int v = std::max(0, y - 1); v <= std::min(hostHeight - 1, y + 1); ++v)
-                for (int u = std::max(0, x - 1); u <= std::min(hostWidth - 1, x + 1); ++u)
-                    boundary |= expected[at(u, v)] != here;
-            wrong.beyond += !boundary;
+            wrong.beyond += !isAtBorder(expected, x, y);
         }
     return wrong;
+}
+
+std::vector<HostPicture::Language> languages(const gl::Capabilities& has, LookupCasters casters) {
+    std::vector<HostPicture::Language> known = {{false, true, casters}, {false, false, casters}};
+    if (has.version.starts_with("OpenGL ES 3")) known.push_back({true, true, casters});
+    return known;
+}
+
+std::vector<glm::dvec3> pointsOfGround(const MaskView& view) {
+    const glm::dmat4 worldFromView = glm::inverse(glm::make_mat4(view.viewFromWorld.data()));
+    const glm::dmat4 viewFromClip = glm::inverse(glm::make_mat4(view.clipFromView.data()));
+    const glm::dvec3 eye(worldFromView[3]);
+    std::vector<glm::dvec3> points;
+    for (int y = 0; y < hostHeight; ++y)
+        for (int x = 0; x < hostWidth; ++x) {
+            const glm::dvec4 end =
+                viewFromClip * glm::dvec4(2.0 * (x + 0.5) / hostWidth - 1.0,
+                                          1.0 - 2.0 * (y + 0.5) / hostHeight, 0.5, 1.0);
+            const glm::dvec3 along =
+                glm::dvec3(worldFromView * glm::dvec4(glm::dvec3(end) / end.w, 1.0)) - eye;
+            points.push_back(eye - eye.y / along.y * along);
+        }
+    return points;
 }
 
 Mask redOf(const gl::HeadlessContext& context) {

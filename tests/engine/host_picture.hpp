@@ -3,6 +3,9 @@
 #include "src/gl/program.hpp"
 #include "tests/engine/masks_in_a_host.hpp"
 
+#include <algorithm>
+#include <vector>
+
 namespace edgeshade::test {
 
 /// A foreign renderer that looks up a light's map in its own shader: white where the light reaches,
@@ -30,11 +33,30 @@ class HostPicture {
     MaskView view_;
 };
 
+/// The languages that a device has, for these casters.
+std::vector<HostPicture::Language> languages(const gl::Capabilities& has,
+                                             LookupCasters casters = {});
+
 /// One byte per pixel, rows top to bottom.
 using Mask = std::vector<std::uint8_t>;
 
 /// The red of the bound framebuffer.
 Mask redOf(const gl::HeadlessContext& context);
+
+/// The points at which the view's pixels, rows top to bottom, see the plane y = 0.
+std::vector<glm::dvec3> pointsOfGround(const MaskView& view);
+
+/// Whether a pixel of a picture of the host's size has a neighbour with another value.
+template <class Value>
+bool isAtBorder(const std::vector<Value>& picture, int x, int y) {
+    const auto at = [&](int u, int v) {
+        return picture[static_cast<std::size_t>(v * hostWidth + u)];
+    };
+    for (int v = std::max(0, y - 1); v <= std::min(hostHeight - 1, y + 1); ++v)
+        for (int u = std::max(0, x - 1); u <= std::min(hostWidth - 1, x + 1); ++u)
+            if (at(u, v) != at(x, y)) return true;
+    return false;
+}
 
 /// Pixels that differ, and those among them whose neighbours are all equal in the expected mask.
 struct Wrong {

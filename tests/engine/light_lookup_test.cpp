@@ -14,12 +14,6 @@ using namespace test;
 
 const Camera corner{{5, 4, 6}, {0, 0.5, 0}, 50.0};
 
-std::vector<HostPicture::Language> languages(const gl::Capabilities& has) {
-    std::vector<HostPicture::Language> known = {{false, true}, {false, false}};
-    if (has.version.starts_with("OpenGL ES 3")) known.push_back({true, true});
-    return known;
-}
-
 } // namespace
 
 TEST(LightLookup, IsWhatRenderDrawsForEveryKindOfLight) {

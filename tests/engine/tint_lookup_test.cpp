@@ -77,10 +77,7 @@ class Host {
     /// Draws the floor by lookup, and compares it with rays.
     Judged judge(const Light& light, HostPicture::Language language = {false, true, {true, true}}) {
         const MaskLight asked = hostLight(light);
-        LookupWork work = masks.lookupWork(asked, {.restMs = 0.0, .casters = language.casters});
-        work.finish();
-        const auto id = masks.addLookup(work);
-        masks.uploadLookup(id);
+        const auto id = lookedUp(masks, asked, {.restMs = 0.0, .casters = language.casters});
         HostPicture(masks, id, asked, viewOf(above), language)
             .draw(geometryOf(floor_), identity16, true);
         const std::vector<std::uint8_t> rgba = context.readPixels();
@@ -88,22 +85,15 @@ class Host {
         Judged judged;
         for (int y = 0; y < hostHeight; ++y)
             for (int x = 0; x < hostWidth; ++x) {
-                const auto at = [](int u, int v) {
-                    return static_cast<std::size_t>(v * hostWidth + u);
-                };
-                const unsigned here = known[at(x, y)];
+                const auto at = static_cast<std::size_t>(y * hostWidth + x);
+                const unsigned here = known[at];
                 if (here == 0) continue;
                 judged.tinted += here > 1;
-                const glm::dvec3 drawn(rgba[4 * at(x, y)], rgba[4 * at(x, y) + 1],
-                                       rgba[4 * at(x, y) + 2]);
+                const glm::dvec3 drawn(rgba[4 * at], rgba[4 * at + 1], rgba[4 * at + 2]);
                 const glm::dvec3 off = glm::abs(drawn - 255.0 * colourOf(here));
                 if (std::max({off.x, off.y, off.z}) <= 1.0) continue;
                 ++judged.wrong;
-                bool border = false;
-                for (int v = std::max(0, y - 1); v <= std::min(hostHeight - 1, y + 1); ++v)
-                    for (int u = std::max(0, x - 1); u <= std::min(hostWidth - 1, x + 1); ++u)
-                        border |= known[at(u, v)] != here;
-                judged.beyond += !border;
+                judged.beyond += !isAtBorder(known, x, y);
             }
         return judged;
     }
@@ -124,25 +114,14 @@ class Host {
 
     /// By pixel: 0 no floor, else 1 and a bit for each pane on the way to the light.
     std::vector<unsigned> rays(const Light& light) const {
-        const MaskView view = viewOf(above);
-        const glm::dmat4 worldFromView = glm::inverse(glm::make_mat4(view.viewFromWorld.data()));
-        const glm::dmat4 viewFromClip = glm::inverse(glm::make_mat4(view.clipFromView.data()));
         std::vector<unsigned> known;
-        for (int y = 0; y < hostHeight; ++y)
-            for (int x = 0; x < hostWidth; ++x) {
-                const glm::dvec4 end =
-                    viewFromClip * glm::dvec4(2.0 * (x + 0.5) / hostWidth - 1.0,
-                                              1.0 - 2.0 * (y + 0.5) / hostHeight, 0.5, 1.0);
-                const glm::dvec3 eye(worldFromView[3]);
-                const glm::dvec3 along =
-                    glm::dvec3(worldFromView * glm::dvec4(glm::dvec3(end) / end.w, 1.0)) - eye;
-                const glm::dvec3 at = eye - eye.y / along.y * along;
-                known.push_back(0);
-                if (std::max(std::abs(at.x), std::abs(at.z)) > 3.0) continue;
-                known.back() = 1;
-                for (std::size_t i = 0; i < panes_.size(); ++i)
-                    if (panes_[i].isMet(at, light.position)) known.back() |= 2u << i;
-            }
+        for (const glm::dvec3& at : pointsOfGround(viewOf(above))) {
+            known.push_back(0);
+            if (std::max(std::abs(at.x), std::abs(at.z)) > 3.0) continue;
+            known.back() = 1;
+            for (std::size_t i = 0; i < panes_.size(); ++i)
+                if (panes_[i].isMet(at, light.position)) known.back() |= 2u << i;
+        }
         return known;
     }
 

@@ -19,6 +19,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 sys.path.insert(0, str(ROOT / "tests/bench"))
 from culling import box, floor, glb  # noqa: E402
+from packages import require, told  # noqa: E402
 from png_bytes import read_png  # noqa: E402
 
 CXX = os.environ.get("CXX", "c++")
@@ -29,18 +30,6 @@ INCLUDE = re.compile(r"^\s*#include\s*(\S+)", re.M)
 STANDARD = re.compile("<[a-z_]+>")
 VIEW = ("--size", "320x240", "--camera-from", "4,5,6", "--camera-to", "0,0.5,0", "--fov", "45",
         "--light", "1,5,2", "--cull", "off")
-
-
-def told(*words, **options):
-    done = subprocess.run([str(word) for word in words], capture_output=True, text=True, **options)
-    if done.returncode != 0:
-        sys.exit(f"{' '.join(map(str, words))} failed:\n{done.stdout}{done.stderr}")
-    return done.stdout
-
-
-def require(holds, sentence):
-    if not holds:
-        sys.exit(sentence)
 
 
 def installed(build, folder):

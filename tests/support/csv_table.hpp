@@ -1,5 +1,7 @@
 #pragma once
 
+#include "preprocess/base/file_io.hpp"
+
 #include <map>
 #include <string>
 #include <vector>
@@ -33,6 +35,12 @@ inline CsvTable csvTableOf(const std::string& csv) {
         for (std::size_t c = 0; c < lines[0].size(); ++c)
             table[lines[0][c]].push_back(lines[l].at(c));
     return table;
+}
+
+/// The table of a file.
+inline CsvTable readCsv(const std::string& path) {
+    const Bytes bytes = readFile(path);
+    return csvTableOf(std::string(bytes.begin(), bytes.end()));
 }
 
 } // namespace edgeshade::test

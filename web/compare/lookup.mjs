@@ -4,16 +4,7 @@
 //
 //   node compare/lookup.mjs [--size 640x360] [--frames 15] [--angle swiftshader|gl-egl]
 
-import { parseArgs } from 'node:util';
-import { launchChromium } from '../tests/support/chromium.mjs';
-import { serve } from '../tests/support/server.mjs';
-
-const { values: options } = parseArgs({ options: {
-  size: { type: 'string', default: '640x360' },
-  frames: { type: 'string', default: '15' },
-  angle: { type: 'string', default: 'swiftshader' },
-} });
-const [width, height] = options.size.split('x').map(Number);
+import { measureInThree } from './three-tab.mjs';
 
 /**
  * In the page: milliseconds of each frame by each method, in turn, with a moving camera; also the
@@ -67,14 +58,4 @@ async function measured({ wide, frames }) {
   return { renderer: window.page.rendererName(), size: wide, frames, results };
 }
 
-const server = await serve();
-const browser = await launchChromium({ angle: options.angle });
-try {
-  const page = await browser.newPage();
-  await page.goto(`${server.address}/tests/three.html?three=three`);
-  await page.waitForFunction(() => window.page);
-  console.log(JSON.stringify(await page.evaluate(measured, { wide: { width, height }, frames: Number(options.frames) }), null, 2));
-} finally {
-  await browser.close();
-  await server.close();
-}
+await measureInThree(measured);

@@ -6,22 +6,11 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { useBrowser } from './support/browser.mjs';
 import { repository } from './support/server.mjs';
-import { compareMasks, nativeMask, openThree, releases, size } from './support/three.mjs';
+import { compareMasks, inNativeGl, nativeMask, releases, size } from './support/three.mjs';
 
 const shared = useBrowser({ angle: 'gl-egl' }); // the native program's GL
 
-/** Runs `act(page, given)` in a page with three.js; returns its result, and the page. */
-async function inPage(context, act, given = {}, release = undefined) {
-  const page = await openThree(shared, release);
-  const name = await page.evaluate(() => window.page.rendererName());
-  if (!/llvmpipe/.test(name)) {
-    context.skip(`Chromium draws with ${name} here`);
-    await page.context().close();
-    return {};
-  }
-  const told = await page.evaluate(({ text, of }) => (0, eval)(`(${text})`)(window.page, of), { text: act.toString(), of: given });
-  return { page, told };
-}
+const inPage = (...of) => inNativeGl(shared, ...of);
 
 function assertSame({ surfaces, dark, wrong, beyond }, most) {
   assert.ok(surfaces > 0.2 * size.width * size.height && dark > 200, `${surfaces} pixels of surfaces, ${dark} in shadow`);

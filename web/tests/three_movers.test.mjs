@@ -4,22 +4,11 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { useBrowser } from './support/browser.mjs';
-import { compareMasks, nativeMask, openThree, releases, size } from './support/three.mjs';
+import { compareMasks, inNativeGl, nativeMask, releases, size } from './support/three.mjs';
 
 const shared = useBrowser({ angle: 'gl-egl' }); // the native program's GL
 
-/** Runs `act(page, given)` in a page with three.js; returns its result, and the page. */
-async function inPage(context, act, given = {}, release = undefined) {
-  const page = await openThree(shared, release);
-  const name = await page.evaluate(() => window.page.rendererName());
-  if (!/llvmpipe/.test(name)) {
-    context.skip(`Chromium draws with ${name} here`);
-    await page.context().close();
-    return {};
-  }
-  const told = await page.evaluate(({ text, of }) => (0, eval)(`(${text})`)(window.page, of), { text: act.toString(), of: given });
-  return { page, told };
-}
+const inPage = (...of) => inNativeGl(shared, ...of);
 
 test('a figure walks through a resting pavilion, rests, and starts again', async (context) => {
   const view = { from: [-2.6, 3.0, 8.2], to: [0.2, 1.3, -0.2], fov: 45 };

@@ -3,21 +3,11 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { useBrowser } from './support/browser.mjs';
-import { openThree } from './support/three.mjs';
+import { inFoliage } from './support/three.mjs';
 
 const shared = useBrowser({ angle: 'gl-egl' });
 
-/** Runs `act(page, foliage, given)` in a page with three.js; returns its result. */
-async function inPage(act, { release, allowed, given } = {}) {
-  const page = await openThree(shared, release);
-  const told = await page.evaluate(async ([text, value]) => {
-    const foliage = { ...await import('/tests/foliage.js'), ...await import('/tests/tint-rays.js') };
-    return (0, eval)(`(${text})`)(window.page, foliage, value);
-  }, [act.toString(), given]);
-  const { reports } = page;
-  await shared.check(page, allowed);
-  return { told, reports };
-}
+const inPage = (...of) => inFoliage(shared, ...of);
 
 const assertRight = (name, { compared, tinted, wrong, beyond }) => {
   assert.ok(compared > 5000 && tinted > 300, `${name}: ${compared} pixels, ${tinted} of them tinted`);

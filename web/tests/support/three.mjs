@@ -18,6 +18,37 @@ export async function openThree(shared, release = 'three', options = {}) {
   return page;
 }
 
+/**
+ * Runs `act(page, given)` in a page with three.js that draws with the native program's GL; returns
+ * its result, and the page. Skips the test with another GL.
+ */
+export async function inNativeGl(shared, context, act, given = {}, release = undefined) {
+  const page = await openThree(shared, release);
+  const name = await page.evaluate(() => window.page.rendererName());
+  if (!/llvmpipe/.test(name)) {
+    context.skip(`Chromium draws with ${name} here`);
+    await page.context().close();
+    return {};
+  }
+  const told = await page.evaluate(({ text, of }) => (0, eval)(`(${text})`)(window.page, of), { text: act.toString(), of: given });
+  return { page, told };
+}
+
+/**
+ * Runs `act(page, foliage, given)` in a page with three.js, with foliage.js and tint-rays.js; returns
+ * its result, and the page's reports, of which `allowed` patterns are expected.
+ */
+export async function inFoliage(shared, act, { release, allowed, given } = {}) {
+  const page = await openThree(shared, release);
+  const told = await page.evaluate(async ([text, value]) => {
+    const foliage = { ...await import('/tests/foliage.js'), ...await import('/tests/tint-rays.js') };
+    return (0, eval)(`(${text})`)(window.page, foliage, value);
+  }, [act.toString(), given]);
+  const { reports } = page;
+  await shared.check(page, allowed);
+  return { told, reports };
+}
+
 /** The result of `render --mask` for a .glb's bytes or path, as colour PNG bytes. */
 export function nativeMask(scene, { from, to, fov, height }, light) {
   const folder = mkdtempSync(join(tmpdir(), 'edgeshade-'));
