@@ -5,7 +5,7 @@ The table of docs/measured/large-scenes.md.
     tests/bench/large_scenes.py           measures, then the table
     tests/bench/large_scenes.py --table   the table from the stored results
 
-EDGESHADE names the program, GENERATED_MESH write_generated_mesh, built with the tests. Writes up to
+EDGESHADE names the program, GENERATED_MESH write_generated_mesh, built by the target `measurements`. Writes up to
 1.5 GB to a temporary folder.
 """
 

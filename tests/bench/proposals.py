@@ -4,7 +4,7 @@
     tests/bench/proposals.py           measures, then the table
     tests/bench/proposals.py --table   the table from the stored results
 
-PROPOSALS names the program proposal_times, built with the tests; PROPOSALS_WEB the same for node,
+PROPOSALS names the program proposal_times, built by the target `measurements`; PROPOSALS_WEB the same for node,
 which `cmake --build --preset web --target proposal_times` builds.
 """
 

@@ -5,7 +5,7 @@ of 1, 5 and 10 million triangles: tables of docs/measured/encodings.md.
     tests/bench/throughput.py           measures, then the table
     tests/bench/throughput.py --table   the table from the stored results
 
-THROUGHPUT names the program preprocess_throughput, built with the tests.
+THROUGHPUT names the program preprocess_throughput, built by the target `measurements`.
 """
 
 import json
