@@ -1,7 +1,9 @@
 #include "src/cli/tradeoff_family.hpp"
+#include "src/cli/tradeoff_settings.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <set>
 
 namespace edgeshade::cli {
 namespace {
@@ -35,6 +37,17 @@ TEST(TradeoffFamily, NewFamiliesMoveNoneOfTheOthers) {
     EXPECT_TRUE(std::equal(before.begin(), before.end(), after.begin()));
     EXPECT_EQ(after[before.size()], "ray cast");
     EXPECT_EQ(after.back(), "maps, new");
+}
+
+TEST(TradeSettings, ManyLampsAddShadowsForSomeOfThem) {
+    const std::vector<Light> lamps(8, {.position = {0.0, 2.0, 0.0, 1.0}});
+    std::set<std::string> names;
+    for (const TradeSetting& setting : tradeSettings(512, 10.0, lamps))
+        names.insert(setting.name);
+    for (const char* name : {"1 shadowed light", "4 shadowed lights", "paraboloid 512"})
+        EXPECT_TRUE(names.contains(name)) << name;
+    EXPECT_FALSE(names.contains("cascades 4 x 512")) << "no light is a sun";
+    EXPECT_FALSE(names.contains("map 1024"));
 }
 
 } // namespace

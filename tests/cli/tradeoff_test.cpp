@@ -50,6 +50,8 @@ class Tradeoff : public testing::Test {
     std::string input_;
 };
 
+using LongTradeoff = Tradeoff;
+
 TEST_F(Tradeoff, RowsHaveTheKeysOfTheContractAndTheFrontIsOne) {
     const std::string plot = folder_ / "plot.svg";
     const ProcessResult result = run({"--plot", plot});
@@ -124,7 +126,7 @@ TEST_F(Tradeoff, CoarserCastersAreRowsAndTheirOptionsWorkInRender) {
     EXPECT_EQ(welded, 1u);
 }
 
-TEST_F(Tradeoff, OfEightLampsShadowsForSomeAreRowsJudgedByAnOracleOfAll) {
+TEST_F(LongTradeoff, OfEightLampsShadowsForSomeAreRowsJudgedByAnOracleOfAll) {
     std::vector<std::string> arguments = {"--light-range", "9"};
     for (int i = 0; i < 8; ++i) {
         const double turn = 0.25 * M_PI * i;

@@ -5,7 +5,7 @@ import { chromium } from 'playwright-core';
 const flags = ['--headless=new', '--no-sandbox', '--use-gl=angle', '--enable-unsafe-swiftshader',
   '--ignore-gpu-blocklist', '--disable-quic', '--no-first-run',
   '--disable-background-networking', '--disable-component-update', '--disable-sync',
-  '--js-flags=--expose-gc'];
+  '--js-flags=--expose-gc --liftoff-only'];
 
 /**
  * `angle`: the GL that Chromium draws with; gl-egl is the system's own, for example Mesa's software
