@@ -1,6 +1,6 @@
 #include "preprocess/section/geometry_cut.hpp"
 
-#include "preprocess/section/edge_vertices.hpp"
+#include "preprocess/mesh/edge_numbers.hpp"
 #include "preprocess/section/plane_height.hpp"
 
 #include <algorithm>
@@ -39,7 +39,7 @@ class EdgeCutter {
     std::uint32_t vertexOn(std::uint32_t kept, std::uint32_t other) {
         if (height(kept) == 0.0) return kept;
         std::uint32_t& vertex = made_.at(kept, other);
-        if (vertex == EdgeVertices::none) {
+        if (vertex == EdgeNumbers::none) {
             vertex = static_cast<std::uint32_t>(geometry_.positions.size());
             add(kept, other);
         }
@@ -72,7 +72,7 @@ class EdgeCutter {
 
     Geometry& geometry_;
     const glm::dvec4& plane_;
-    EdgeVertices made_;
+    EdgeNumbers made_; ///< of vertices, by edge
 };
 
 /// Whether two of the corners are at one place, so that the piece has no area.
