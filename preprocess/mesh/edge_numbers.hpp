@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -12,6 +13,9 @@ namespace edgeshade {
 class EdgeNumbers {
   public:
     static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+    /// `expected`: number of edges, about; more of them take more time.
+    explicit EdgeNumbers(std::size_t expected = 0) : entries_(std::bit_ceil(2 * expected + 64)) {}
 
     /// The place of the number of the edge between two different vertices; `none` is there if the
     /// edge has none yet, and must then be replaced. Valid until the next call.
@@ -43,7 +47,7 @@ class EdgeNumbers {
     }
 
     void grow() {
-        std::vector<Entry> before(std::max<std::size_t>(64, 4 * entries_.size()));
+        std::vector<Entry> before(4 * entries_.size());
         before.swap(entries_);
         for (const Entry& entry : before)
             if (entry.number != none) find(entry) = entry;

@@ -81,10 +81,11 @@ Surroundings surroundingsOf(const UncutRecords& uncut, const std::vector<std::ui
 /// Numbers the positions of vertices: equal ones get the same number.
 class PositionNumbers {
   public:
-    /// `ofVertex`: as in BorderNumbers; `most`: numbers that are asked for.
+    /// `ofVertex`: as in BorderNumbers; `expected`: number of positions, about.
     PositionNumbers(const std::vector<glm::vec3>& positions, std::vector<std::uint32_t>& ofVertex,
-                    std::size_t most)
-        : positions_(positions), ofVertex_(ofVertex), table_(std::bit_ceil(2 * most + 1), none) {
+                    std::size_t expected)
+        : positions_(positions), ofVertex_(ofVertex),
+          table_(std::bit_ceil(2 * expected + 64), none) {
         ofVertex_.resize(std::max(ofVertex_.size(), positions_.size()), none);
     }
     ~PositionNumbers() {
@@ -98,15 +99,13 @@ class PositionNumbers {
         std::uint32_t& number = ofVertex_[vertex];
         if (number != none) return number;
         vertices_.push_back(vertex);
-        const glm::vec3& at = positions_[vertex];
-        std::size_t i = hashOf(at) & (table_.size() - 1);
-        while (table_[i] != none && distinct[table_[i]] != at)
-            i = (i + 1) & (table_.size() - 1);
-        if (table_[i] == none) {
-            table_[i] = static_cast<std::uint32_t>(distinct.size());
-            distinct.push_back(at);
+        if (2 * (distinct.size() + 1) > table_.size()) grow();
+        std::uint32_t& place = placeOf(positions_[vertex]);
+        if (place == none) {
+            place = static_cast<std::uint32_t>(distinct.size());
+            distinct.push_back(positions_[vertex]);
         }
-        return number = table_[i];
+        return number = place;
     }
 
     std::vector<glm::vec3> distinct; ///< by number
@@ -121,6 +120,20 @@ class PositionNumbers {
         return static_cast<std::size_t>(hash >> 32);
     }
 
+    /// The position's place in the table, or the free one where it belongs.
+    std::uint32_t& placeOf(const glm::vec3& at) {
+        std::size_t i = hashOf(at) & (table_.size() - 1); // the size is a power of two
+        while (table_[i] != none && distinct[table_[i]] != at)
+            i = (i + 1) & (table_.size() - 1);
+        return table_[i];
+    }
+
+    void grow() {
+        table_.assign(4 * table_.size(), none);
+        for (std::uint32_t number = 0; number < distinct.size(); ++number)
+            placeOf(distinct[number]) = number;
+    }
+
     const std::vector<glm::vec3>& positions_;
     std::vector<std::uint32_t>& ofVertex_;
     std::vector<std::uint32_t> vertices_; ///< that have a number
@@ -130,7 +143,11 @@ class PositionNumbers {
 /// Collects sides of triangles, edge by edge.
 class SideCollector {
   public:
-    explicit SideCollector(std::size_t triangles) { sides_.reserve(3 * triangles); }
+    /// `triangles`: number of those that will be added.
+    explicit SideCollector(std::size_t triangles) : numbers_(2 * triangles) {
+        sides_.reserve(3 * triangles);
+        list_.edges.reserve(2 * triangles);
+    }
 
     /// Adds sides of the next triangle; `which`: as in Neighbour.
     void add(const Triangle& triangle, std::uint32_t which,
@@ -196,7 +213,7 @@ CutBorder cutBorder(const UncutRecords& uncut, const Geometry& cut, const CutCap
     const std::vector<Neighbour>& neighbours = around.neighbours;
     border.replaced = std::move(around.edges);
     const std::size_t triangles = kind.pieces.size() + neighbours.size();
-    PositionNumbers positions(cut.positions, numbers.ofVertex, 3 * triangles);
+    PositionNumbers positions(cut.positions, numbers.ofVertex, triangles);
     SideCollector sides(triangles);
     const auto add = [&](const Triangle& vertices, std::uint32_t which) {
         sides.add({positions.of(vertices[0]), positions.of(vertices[1]), positions.of(vertices[2])},
