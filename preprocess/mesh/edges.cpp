@@ -45,7 +45,8 @@ void forEachSide(const WeldedMesh& mesh, const ItemRange& triangles, Use use) {
 class SortedSides {
   public:
     SortedSides(const WeldedMesh& mesh, Threads threads)
-        : threads_(threads), vertices_(mesh.positions.size()) {
+        : threads_(mesh.triangles.size() < 2 * trianglesOfThread ? Threads{1} : threads),
+          vertices_(mesh.positions.size()) {
         while ((vertices_ >> shift_) >= mostBlocks)
             ++shift_;
         divide(mesh);

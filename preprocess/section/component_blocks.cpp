@@ -13,7 +13,11 @@ namespace {
 /// Triangles at which a block is full; a component is never divided.
 constexpr std::size_t blockTriangles = 512;
 
-/// The block of each triangle, and their number.
+/// A batch stays whole if one of its components has more of its triangles than this share, because
+/// dividing it would leave nearly all of it in one block.
+constexpr double largestShare = 0.9;
+
+/// The block of each triangle, unless there is only one, and their number.
 struct Blocks {
     std::vector<std::uint32_t> ofTriangle;
     std::uint32_t count = 0;
@@ -33,6 +37,9 @@ Blocks blocksOf(const Geometry& geometry) {
             all.add(glm::dvec3(mesh.positions[corner]));
         }
     }
+    const std::size_t largest = *std::max_element(sizes.begin(), sizes.end());
+    if (static_cast<double>(largest) > largestShare * static_cast<double>(mesh.triangles.size()))
+        return {{}, 1};
     std::vector<std::uint32_t> order(components.count());
     std::iota(order.begin(), order.end(), 0u);
     std::vector<std::uint64_t> codes;

@@ -137,12 +137,13 @@ void SceneCutter::cutBatch(Batch& batch, const Cutting& cutting, CutOrigins& ori
             return;
         }
     }
-    if (!known.solid) known.solid = solidTriangles(from, whole_->materials);
     const std::vector<TriangleFate> fates = fatesOf(from, planes);
     origins.met = metOf(fates);
+    if (known.solid.empty() && !origins.met.empty())
+        known.solid = solidTriangles(from, whole_->materials);
     Geometry made = known.made.take();
     takeVertices(from, 3 * origins.met.size(), made);
-    GeometryCut cut(made, from.indices, *known.solid, origins.met);
+    GeometryCut cut(made, from.indices, known.solid, origins.met);
     const auto firstFill = static_cast<std::uint32_t>(from.indices.size() / 3);
     for (const glm::dvec4& plane : planes) {
         const std::vector<CutLine> lines = cut.cut(plane, cutting.keepsAway());

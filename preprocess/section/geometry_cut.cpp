@@ -1,6 +1,6 @@
 #include "preprocess/section/geometry_cut.hpp"
 
-#include "preprocess/section/edge_vertices.hpp"
+#include "preprocess/mesh/edge_numbers.hpp"
 #include "preprocess/section/plane_height.hpp"
 
 #include <algorithm>
@@ -28,7 +28,9 @@ glm::vec3 unit(const glm::vec3& v) {
 /// Adds vertices on cut edges, once for each edge between two vertices.
 class EdgeCutter {
   public:
-    EdgeCutter(Geometry& geometry, const glm::dvec4& plane) : geometry_(geometry), plane_(plane) {}
+    /// `triangles`: number of those that are cut, about.
+    EdgeCutter(Geometry& geometry, const glm::dvec4& plane, std::size_t triangles)
+        : geometry_(geometry), plane_(plane), made_(triangles) {}
 
     double height(std::uint32_t vertex) const {
         return heightOver(plane_, geometry_.positions[vertex]);
@@ -39,7 +41,7 @@ class EdgeCutter {
     std::uint32_t vertexOn(std::uint32_t kept, std::uint32_t other) {
         if (height(kept) == 0.0) return kept;
         std::uint32_t& vertex = made_.at(kept, other);
-        if (vertex == EdgeVertices::none) {
+        if (vertex == EdgeNumbers::none) {
             vertex = static_cast<std::uint32_t>(geometry_.positions.size());
             add(kept, other);
         }
@@ -72,7 +74,7 @@ class EdgeCutter {
 
     Geometry& geometry_;
     const glm::dvec4& plane_;
-    EdgeVertices made_;
+    EdgeNumbers made_; ///< of vertices, by edge
 };
 
 /// Whether two of the corners are at one place, so that the piece has no area.
@@ -109,7 +111,7 @@ GeometryCut::GeometryCut(Geometry& geometry, const std::vector<std::uint32_t>& i
 }
 
 std::vector<CutLine> GeometryCut::cut(const glm::dvec4& plane, bool keepsAway) {
-    EdgeCutter cutter(geometry_, plane);
+    EdgeCutter cutter(geometry_, plane, triangles_.size());
     std::vector<CutLine> lines;
     const auto addLine = [&](const CutTriangle& whole, std::uint32_t from, std::uint32_t to) {
         if (whole.solid && !whole.away && geometry_.positions[from] != geometry_.positions[to])

@@ -1,5 +1,10 @@
 #include "preprocess/volumes/cut_caps.hpp"
 
+#include "preprocess/base/reused_vector.hpp"
+
+#include <algorithm>
+#include <utility>
+
 namespace edgeshade {
 namespace {
 
@@ -17,19 +22,19 @@ struct PieceCaster {
     PartNumber part;      ///< within its kind
 };
 
-/// The casters of the cut geometry: their numbers, without triangles that welding drops.
+/// The casters of the cut geometry, numbered without triangles that welding drops.
 struct NumberedCasters {
-    std::vector<std::uint32_t> ofCap; ///< by cap before the cut; or UncutRecords::none
     std::vector<PieceCaster> pieces;
     std::uint32_t firstAway = 0, end = 0;
     std::array<std::size_t, 2> materials{}; ///< one that is visible, one that is cut away
 };
 
+/// Also sets `ofCap`: for each cap before the cut its caster's number, or UncutRecords::none.
 NumberedCasters numberedCasters(const UncutRecords& uncut, const Geometry& cut,
                                 const CutOrigins& origins, const std::vector<Material>& materials,
-                                bool castMasked) {
+                                bool castMasked, std::vector<std::uint32_t>& ofCap) {
     NumberedCasters casters;
-    casters.ofCap.assign(uncut.shadow->caps.size(), UncutRecords::none);
+    ofCap.assign(uncut.shadow->caps.size(), UncutRecords::none);
     std::uint32_t next = 0;
     bool anyAway = false;
     for (const SurfaceGroup& group : cut.groups) {
@@ -46,7 +51,7 @@ NumberedCasters numberedCasters(const UncutRecords& uncut, const Geometry& cut,
             const std::uint32_t origin = origins.ofTriangle[t];
             if (origin < CutOrigins::piece) {
                 const std::uint32_t cap = uncut.capOf[origin];
-                if (cap != UncutRecords::none) casters.ofCap[cap] = next++;
+                if (cap != UncutRecords::none) ofCap[cap] = next++;
                 continue;
             }
             const std::uint32_t* const corner = &cut.indices[std::size_t{3} * t];
@@ -61,6 +66,31 @@ NumberedCasters numberedCasters(const UncutRecords& uncut, const Geometry& cut,
     return casters;
 }
 
+/// Finds the runs of caps that stay, with their parts within a kind. `ofCap`: of numberedCasters().
+void findRuns(const UncutRecords& uncut, std::uint32_t firstAway,
+              const std::vector<std::uint32_t>& ofCap, std::vector<CutCaps::Run>& runs) {
+    runs.clear();
+    CutCaps::Run run{0, 0, 0, 0};
+    const auto add = [&](std::uint32_t first, std::uint32_t end, PartNumber sides) {
+        for (std::uint32_t cap = first; cap < end; ++cap) {
+            const std::uint32_t number = ofCap[cap], component = uncut.componentOf[cap];
+            if (number == UncutRecords::none) continue;
+            const auto part = static_cast<PartNumber>(sides | (number < firstAway ? 0 : awayPart));
+            if (run.end != cap || run.component != component || run.part != part) {
+                if (run.end > run.first) runs.push_back(run);
+                run = {cap, cap, component, part};
+            }
+            ++run.end;
+        }
+    };
+    for (const ShadowCluster& cluster : uncut.shadow->clusters) {
+        const std::uint32_t others = cluster.caps.first + cluster.singleSided;
+        add(cluster.caps.first, others, 0);
+        add(others, cluster.caps.end(), doubleSidedPart);
+    }
+    if (run.end > run.first) runs.push_back(run);
+}
+
 /// The component of a piece.
 std::uint32_t componentOf(const UncutRecords& uncut, const PieceCaster& piece) {
     return uncut.componentOf[uncut.capOf[piece.origin - CutOrigins::piece]];
@@ -68,7 +98,8 @@ std::uint32_t componentOf(const UncutRecords& uncut, const PieceCaster& piece) {
 
 /// The kind of each component.
 std::vector<std::uint8_t> kindsOf(const UncutRecords& uncut, const std::vector<std::uint32_t>& met,
-                                  const NumberedCasters& casters, std::uint8_t cutKind) {
+                                  const NumberedCasters& casters,
+                                  const std::vector<CutCaps::Run>& runs, std::uint8_t cutKind) {
     std::vector<std::uint8_t> kinds;
     for (const std::uint8_t closed : uncut.closed)
         kinds.push_back(closed != 0 ? CutCaps::closed : CutCaps::open);
@@ -77,9 +108,8 @@ std::vector<std::uint8_t> kindsOf(const UncutRecords& uncut, const std::vector<s
             if (std::uint8_t& kind = kinds[uncut.componentOf[cap]]; kind == CutCaps::closed)
                 kind = cutKind;
     if (casters.firstAway == casters.end) return kinds;
-    for (std::size_t cap = 0; cap < casters.ofCap.size(); ++cap)
-        if (casters.ofCap[cap] != UncutRecords::none && casters.ofCap[cap] >= casters.firstAway)
-            kinds[uncut.componentOf[cap]] = CutCaps::tested;
+    for (const CutCaps::Run& run : runs)
+        if ((run.part & awayPart) != 0) kinds[run.component] = CutCaps::tested;
     for (const PieceCaster& piece : casters.pieces)
         if ((piece.part & awayPart) != 0) kinds[componentOf(uncut, piece)] = CutCaps::tested;
     return kinds;
@@ -121,22 +151,17 @@ void addKinds(const PartRanges& ranges, const NumberedCasters& casters, CutCaps&
 void findCaps(const UncutRecords& uncut, const Geometry& cut, const CutOrigins& origins,
               const std::vector<Material>& materials, bool castMasked, std::uint8_t cutKind,
               CutCaps& caps) {
-    NumberedCasters casters = numberedCasters(uncut, cut, origins, materials, castMasked);
-    const std::vector<std::uint8_t> kinds = kindsOf(uncut, origins.met, casters, cutKind);
-    const PlanePairShadow& before = *uncut.shadow;
+    const NumberedCasters casters =
+        numberedCasters(uncut, cut, origins, materials, castMasked, caps.capOf);
+    findRuns(uncut, casters.firstAway, caps.capOf, caps.runs);
+    const std::vector<std::uint8_t> kinds =
+        kindsOf(uncut, origins.met, casters, caps.runs, cutKind);
 
     PartRanges ranges;
-    std::vector<PartNumber> partOf(before.caps.size()); // by cap before
-    for (const ShadowCluster& cluster : before.clusters)
-        for (std::uint32_t i = 0; i < cluster.caps.count; ++i) {
-            const std::uint32_t cap = cluster.caps.first + i;
-            const std::uint32_t number = casters.ofCap[cap];
-            if (number == UncutRecords::none) continue;
-            partOf[cap] = static_cast<PartNumber>(kinds[uncut.componentOf[cap]] * partsOfKind +
-                                                  (i < cluster.singleSided ? 0 : doubleSidedPart) +
-                                                  (number < casters.firstAway ? 0 : awayPart));
-            ++ranges.count[partOf[cap]];
-        }
+    for (CutCaps::Run& run : caps.runs) {
+        run.part = static_cast<PartNumber>(kinds[run.component] * partsOfKind + run.part);
+        ranges.count[run.part] += run.end - run.first;
+    }
     const auto kindOf = [&](const PieceCaster& piece) -> std::size_t {
         return piece.origin == CutOrigins::fill ? cutKind : kinds[componentOf(uncut, piece)];
     };
@@ -146,16 +171,15 @@ void findCaps(const UncutRecords& uncut, const Geometry& cut, const CutOrigins& 
     caps.kinds = {};
     addKinds(ranges, casters, caps);
 
-    caps.caps.resize(casters.end);
-    caps.capTriangles.resize(casters.end);
-    caps.capOf = std::move(casters.ofCap);
-    for (std::size_t cap = 0; cap < before.caps.size(); ++cap) {
-        const std::uint32_t number = caps.capOf[cap];
-        if (number == UncutRecords::none) continue;
-        const std::uint32_t to = ranges.next[partOf[cap]]++;
-        caps.capOf[cap] = to;
-        caps.caps[to] = before.caps[cap];
-        caps.capTriangles[to] = number;
+    resizeReused(caps.caps, casters.end);
+    resizeReused(caps.capTriangles, casters.end);
+    const std::vector<CapRecord>& before = uncut.shadow->caps;
+    for (const CutCaps::Run& run : caps.runs) {
+        std::uint32_t to = ranges.next[run.part];
+        ranges.next[run.part] += run.end - run.first;
+        std::copy(&before[run.first], &before[run.first] + (run.end - run.first), &caps.caps[to]);
+        for (std::uint32_t cap = run.first; cap < run.end; ++cap, ++to)
+            caps.capTriangles[to] = std::exchange(caps.capOf[cap], to);
     }
     for (const PieceCaster& piece : casters.pieces) {
         const std::size_t kind = kindOf(piece);

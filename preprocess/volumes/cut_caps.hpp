@@ -18,6 +18,13 @@ struct CutCaps {
         std::uint32_t cap = 0;
     };
 
+    /// Caps [first, end) before the cut, neighbours that stay as they were and go to one part.
+    struct Run {
+        std::uint32_t first, end;
+        std::uint32_t component;
+        std::uint8_t part;
+    };
+
     /// Within a kind single-sided caps come first. Of these, and of the others, come first those
     /// that are visible. Each such part begins with caps that were there before, in their order.
     struct Kind {
@@ -31,6 +38,7 @@ struct CutCaps {
     static constexpr std::size_t kindCount = 3;
 
     std::array<Kind, kindCount> kinds;
+    std::vector<Run> runs;
     /// By cap before the cut; UncutRecords::none: it is cut up, or is away and doesn't cast.
     std::vector<std::uint32_t> capOf;
     std::vector<CapRecord> caps; ///< planes of pieces aren't set

@@ -1,11 +1,12 @@
 #include "preprocess/volumes/cut_records.hpp"
 
+#include "preprocess/base/reused_vector.hpp"
 #include "preprocess/volumes/cap_boxes.hpp"
 #include "preprocess/volumes/clustering.hpp"
-#include "preprocess/volumes/cut_border.hpp"
 #include "preprocess/volumes/side_writer.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace edgeshade {
 namespace {
@@ -44,37 +45,56 @@ PlaneOf planeAt(std::uint32_t cap, PlaneOf before) {
     return {2 * cap + (before.negated() ? 1u : 0u)};
 }
 
+/// The places in a PlanePairShadow where the next records go. Its arrays are long enough.
+struct RecordEnds {
+    std::size_t pair = 0, single = 0;
+};
+
 /// Copies the records of edges whose caps all stay as they were, and are among `caps`.
+/// `unchanged`: memory for their numbers.
 void addUnchanged(const UncutRecords& uncut, const std::vector<std::uint32_t>& replaced,
                   const std::vector<std::uint32_t>& capOf, const RecordRange& caps,
-                  PlanePairShadow& to) {
+                  std::vector<std::uint32_t>& unchanged, PlanePairShadow& to, RecordEnds& end) {
     const PlanePairShadow& from = *uncut.shadow;
     const UncutRecords::OfEdge skipped = crowdedOf(uncut, replaced);
+    // False for UncutRecords::none.
     const auto isOneOf = [&](std::uint32_t cap) { return cap - caps.first < caps.count; };
+    // First the numbers, without a branch, since which records stay is hard to predict.
+    resizeReused(unchanged, std::max(from.pairs.size(), from.singles.size()));
+    std::size_t count = 0;
     forOthers(from.pairs.size(), skipped.pairs, [&](std::size_t i) {
         const auto& [first, second] = from.pairPlanes[i];
-        const std::uint32_t cap = capOf[first.cap()], other = capOf[second.cap()];
-        if (!isOneOf(cap) || !isOneOf(other)) return; // nor is UncutRecords::none
-        to.pairs.push_back(from.pairs[i]);
-        to.pairPlanes.push_back({planeAt(cap, first), planeAt(other, second)});
+        unchanged[count] = static_cast<std::uint32_t>(i);
+        count +=
+            std::size_t{isOneOf(capOf[first.cap()])} & std::size_t{isOneOf(capOf[second.cap()])};
     });
+    for (const std::uint32_t i : std::span(unchanged).first(count)) {
+        const auto& [first, second] = from.pairPlanes[i];
+        to.pairs[end.pair] = from.pairs[i];
+        to.pairPlanes[end.pair] = {planeAt(capOf[first.cap()], first),
+                                   planeAt(capOf[second.cap()], second)};
+        ++end.pair;
+    }
     forOthers(from.singles.size(), skipped.singles, [&](std::size_t i) {
         const std::uint32_t cap = capOf[from.singlePlanes[i].cap()];
         if (!isOneOf(cap)) return;
-        to.singles.push_back(from.singles[i]);
-        to.singlePlanes.push_back(planeAt(cap, from.singlePlanes[i]));
+        to.singles[end.single] = from.singles[i];
+        to.singlePlanes[end.single] = planeAt(cap, from.singlePlanes[i]);
+        ++end.single;
     });
 }
 
 /// Counts the edges that list a cap first which stays as it was, and those of them without a
 /// record.
-void countUncut(const UncutRecords& uncut, const std::vector<std::uint32_t>& capOf,
+void countUncut(const UncutRecords& uncut, const std::vector<CutCaps::Run>& runs,
                 PlanePairShadow& to) {
-    for (std::size_t cap = 0; cap < capOf.size(); ++cap)
-        if (capOf[cap] != UncutRecords::none) {
-            to.edges += uncut.edgesFrom[cap];
-            to.flatEdges += uncut.flatFrom[cap];
-        }
+    const auto sum = [](const std::vector<std::uint8_t>& counts, const CutCaps::Run& run) {
+        return std::accumulate(&counts[run.first], &counts[run.first] + (run.end - run.first), 0u);
+    };
+    for (const CutCaps::Run& run : runs) {
+        to.edges += sum(uncut.edgesFrom, run);
+        to.flatEdges += sum(uncut.flatFrom, run);
+    }
 }
 
 /// Takes edges that are replaced from the counts.
@@ -88,46 +108,36 @@ void discountReplaced(const UncutRecords& uncut, const std::vector<std::uint32_t
 }
 
 /// Adds the records of the border's edges.
-void addBorder(const CutBorder& border, PlanePairShadow& to) {
-    SideWriter writer(border.mesh, border.edges, border.planes, border.capOf);
-    writer.pair = to.pairs.size();
-    writer.single = to.singles.size();
-    std::size_t pairs = writer.pair, singles = writer.single;
-    for (const Edge& edge : border.edges.edges) {
-        pairs += edge.oppositeCount / 2;
-        singles += edge.oppositeCount % 2;
-    }
-    to.pairs.resize(pairs);
-    to.pairPlanes.resize(pairs);
-    to.singles.resize(singles);
-    to.singlePlanes.resize(singles);
+void addBorder(const CutBorder& border, PlanePairShadow& to, RecordEnds& end) {
+    SideWriter writer(border.positions, border.edges, border.planes, border.capOf);
+    writer.pair = end.pair;
+    writer.single = end.single;
     for (const Edge& edge : border.edges.edges)
         writer.write(edge, to, nullptr);
-    to.pairs.resize(writer.pair);
-    to.pairPlanes.resize(writer.pair);
+    end = {writer.pair, writer.single};
     to.edges += border.edges.edges.size();
     to.flatEdges += writer.flatEdges;
 }
 
-/// The records of `records` after `range`.
-template <class Record>
-RecordRange restAfter(const RecordRange& range, const std::vector<Record>& records) {
-    return {range.end(), static_cast<std::uint32_t>(records.size()) - range.end()};
+/// The range from another's end to `end`.
+RecordRange restAfter(const RecordRange& range, std::size_t end) {
+    return {range.end(), static_cast<std::uint32_t>(end) - range.end()};
 }
 
 /// Adds the cluster of a kind, whose records are the last ones.
-void addCluster(const CutCaps::Kind& kind, bool closed, bool alphaTested, PlanePairShadow& to) {
+void addCluster(const CutCaps::Kind& kind, bool closed, bool alphaTested, const RecordEnds& end,
+                PlanePairShadow& to) {
     const ShadowCluster last = to.clusters.empty() ? ShadowCluster() : to.clusters.back();
     to.groups.insert(to.groups.end(), kind.groups.begin(), kind.groups.end());
     ShadowCluster cluster;
     cluster.closed = closed;
     cluster.alphaTested = alphaTested;
     cluster.components = ShadowCluster::uncounted;
-    cluster.pairs = restAfter(last.pairs, to.pairs);
-    cluster.singles = restAfter(last.singles, to.singles);
+    cluster.pairs = restAfter(last.pairs, end.pair);
+    cluster.singles = restAfter(last.singles, end.single);
     cluster.caps = kind.caps;
     cluster.singleSided = kind.singleSided;
-    cluster.groups = restAfter(last.groups, to.groups);
+    cluster.groups = restAfter(last.groups, to.groups.size());
     cluster.leaves = {last.leaves.end(), (kind.caps.count + leafTriangles - 1) / leafTriangles};
     to.clusters.push_back(cluster);
 }
@@ -139,42 +149,49 @@ void addBoxes(PlanePairShadow& to) {
             cluster.bounds.add(to.leaves[leaf]);
 }
 
-/// The records without any, but for the memory of their arrays.
-PlanePairShadow emptied(PlanePairShadow records) {
-    PlanePairShadow empty;
-    const auto keep = [](auto& from, auto& to) {
-        from.clear();
+/// Records whose arrays are as long as they may become, and reuse the memory of others.
+PlanePairShadow roomFor(const UncutRecords& uncut,
+                        const std::array<CutBorder, CutCaps::kindCount>& borders,
+                        PlanePairShadow spare) {
+    RecordEnds most{uncut.shadow->pairs.size(), uncut.shadow->singles.size()};
+    for (const CutBorder& border : borders)
+        for (const Edge& edge : border.edges.edges) {
+            most.pair += edge.oppositeCount / 2;
+            most.single += edge.oppositeCount % 2;
+        }
+    PlanePairShadow made;
+    const auto reuse = [](auto& from, auto& to, std::size_t count) {
         to = std::move(from);
+        resizeReused(to, count);
     };
-    keep(records.pairs, empty.pairs);
-    keep(records.pairPlanes, empty.pairPlanes);
-    keep(records.singles, empty.singles);
-    keep(records.singlePlanes, empty.singlePlanes);
-    keep(records.leaves, empty.leaves);
-    return empty;
+    reuse(spare.pairs, made.pairs, most.pair);
+    reuse(spare.pairPlanes, made.pairPlanes, most.pair);
+    reuse(spare.singles, made.singles, most.single);
+    reuse(spare.singlePlanes, made.singlePlanes, most.single);
+    made.leaves = std::move(spare.leaves);
+    return made;
 }
 
 } // namespace
 
 PlanePairShadow cutRecords(const UncutRecords& uncut, const Geometry& cut,
                            const CutOrigins& origins, const std::vector<Material>& materials,
-                           bool castMasked, PlanePairShadow spare) {
-    CutCaps caps;
+                           bool castMasked, CutMemory& memory, PlanePairShadow spare) {
+    CutCaps& caps = memory.caps;
     caps.caps = std::move(spare.caps);
     caps.capTriangles = std::move(spare.capTriangles);
     std::array<CutBorder, CutCaps::kindCount> borders;
     const auto find = [&](std::uint8_t cutKind) {
         findCaps(uncut, cut, origins, materials, castMasked, cutKind, caps);
         for (std::size_t k = 0; k < CutCaps::kindCount; ++k)
-            borders[k] = cutBorder(uncut, cut, caps, caps.kinds[k]);
+            borders[k] = cutBorder(uncut, cut, caps, caps.kinds[k], memory.numbers);
     };
     find(CutCaps::closed);
     if (!borders[CutCaps::closed].balanced) find(CutCaps::open);
 
-    PlanePairShadow made = emptied(std::move(spare));
-    made.pairs.reserve(uncut.shadow->pairs.size());
-    made.pairPlanes.reserve(uncut.shadow->pairs.size());
-    countUncut(uncut, caps.capOf, made);
+    PlanePairShadow made = roomFor(uncut, borders, std::move(spare));
+    RecordEnds end;
+    countUncut(uncut, caps.runs, made);
     for (std::size_t k = 0; k < CutCaps::kindCount; ++k) {
         const CutCaps::Kind& kind = caps.kinds[k];
         if (kind.caps.count == 0) continue;
@@ -182,10 +199,14 @@ PlanePairShadow cutRecords(const UncutRecords& uncut, const Geometry& cut,
         for (std::size_t i = 0; i < kind.pieces.size(); ++i)
             caps.caps[kind.pieces[i].cap].plane = border.planes[i];
         discountReplaced(uncut, border.replaced, caps.capOf, made);
-        addUnchanged(uncut, border.replaced, caps.capOf, kind.caps, made);
-        addBorder(border, made);
-        addCluster(kind, k == CutCaps::closed, k == CutCaps::tested, made);
+        addUnchanged(uncut, border.replaced, caps.capOf, kind.caps, memory.unchanged, made, end);
+        addBorder(border, made, end);
+        addCluster(kind, k == CutCaps::closed, k == CutCaps::tested, end, made);
     }
+    made.pairs.resize(end.pair);
+    made.pairPlanes.resize(end.pair);
+    made.singles.resize(end.single);
+    made.singlePlanes.resize(end.single);
     made.caps = std::move(caps.caps);
     made.capTriangles = std::move(caps.capTriangles);
     // Each edge of n triangles has n / 2 pairs, and a single if n is odd.

@@ -1,9 +1,15 @@
 #pragma once
 
-#include "preprocess/section/cut_origins.hpp"
-#include "preprocess/volumes/uncut_records.hpp"
+#include "preprocess/volumes/cut_border.hpp"
 
 namespace edgeshade {
+
+/// The memory that cutRecords() works in. One serves all geometries, one after the other.
+struct CutMemory {
+    CutCaps caps;
+    BorderNumbers numbers;
+    std::vector<std::uint32_t> unchanged; ///< records that stay
+};
 
 /// The records of a geometry that a section cuts. Records away from the cut are those of the uncut
 /// geometry; only edges of triangles that planes meet, and of fills, are found again. They count
@@ -15,6 +21,6 @@ namespace edgeshade {
 /// scene. `spare`: records that are no longer needed, for the memory of their arrays.
 PlanePairShadow cutRecords(const UncutRecords& uncut, const Geometry& cut,
                            const CutOrigins& origins, const std::vector<Material>& materials,
-                           bool castMasked, PlanePairShadow spare = {});
+                           bool castMasked, CutMemory& memory, PlanePairShadow spare = {});
 
 } // namespace edgeshade

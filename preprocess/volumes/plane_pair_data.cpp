@@ -94,7 +94,7 @@ std::vector<SideCounts> addSides(const WeldedMesh& mesh, const EdgeList& edges,
         return edges.edges[clustered.edges[i]];
     };
     forEachPart(parts, [&](std::size_t part, const ItemRange& range) {
-        SideWriter writer(mesh, edges, planes, capOf);
+        SideWriter writer(mesh.positions, edges, planes, capOf);
         writer.pair = pairsOf[part].first;
         writer.single = singlesOf[part].first;
         std::size_t cluster = clusterOf(range.first);

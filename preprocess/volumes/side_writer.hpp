@@ -9,9 +9,9 @@ namespace edgeshade {
 /// Writes the records of some edges from given positions on.
 class SideWriter {
   public:
-    SideWriter(const WeldedMesh& mesh, const EdgeList& edges, const std::vector<glm::vec4>& planes,
-               const std::vector<std::uint32_t>& capOf)
-        : mesh_(mesh), edges_(edges), planes_(planes), capOf_(capOf) {}
+    SideWriter(const std::vector<glm::vec3>& positions, const EdgeList& edges,
+               const std::vector<glm::vec4>& planes, const std::vector<std::uint32_t>& capOf)
+        : positions_(positions), edges_(edges), planes_(planes), capOf_(capOf) {}
 
     std::size_t pair = 0, single = 0; ///< where the next records go
     std::size_t flatPairs = 0, flatEdges = 0;
@@ -33,8 +33,8 @@ class SideWriter {
     void prefetchEdge(const Edge& edge) const {
         prefetch(edges_.opposites[edge.firstOpposite]);
         prefetch(edges_.forward[edge.firstOpposite]);
-        prefetch(mesh_.positions[edge.a]);
-        prefetch(mesh_.positions[edge.b]);
+        prefetch(positions_[edge.a]);
+        prefetch(positions_[edge.b]);
     }
     void prefetchTriangles(const Edge& edge) const {
         for (const std::uint32_t last : {0u, edge.oppositeCount - 1}) {
@@ -47,7 +47,7 @@ class SideWriter {
   private:
     void write(const Edge& edge, const OppositePair& two, PlanePairShadow& shadow,
                RecordVertices* vertices) {
-        const glm::vec3 &a = mesh_.positions[edge.a], &b = mesh_.positions[edge.b];
+        const glm::vec3 &a = positions_[edge.a], &b = positions_[edge.b];
         const glm::vec4 plane = two.first.planeIn(planes_);
         if (!two.second) {
             shadow.singles[single] = {a, b, plane};
@@ -71,7 +71,7 @@ class SideWriter {
         return {2 * capOf_[of.triangle] + (of.negated ? 1u : 0u)};
     }
 
-    const WeldedMesh& mesh_;
+    const std::vector<glm::vec3>& positions_;
     const EdgeList& edges_;
     const std::vector<glm::vec4>& planes_;
     const std::vector<std::uint32_t>& capOf_; ///< by triangle

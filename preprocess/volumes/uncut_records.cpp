@@ -90,14 +90,14 @@ void findCrowded(const WeldedMesh& mesh, const EdgeList& edges, UncutRecords& to
 } // namespace
 
 bool UncutRecords::canFollowCuts() const {
-    const std::vector<ShadowCluster>& clusters = shadow->clusters;
-    std::array<std::size_t, 2> ofKind{}; // open, closed
-    for (const ShadowCluster& cluster : clusters) {
+    std::array<std::uint32_t, 2> all{}, largest{}; // caps of open clusters, of closed ones
+    for (const ShadowCluster& cluster : shadow->clusters) {
         if (cluster.alphaTested) return false;
-        ++ofKind[cluster.closed];
+        all[cluster.closed] += cluster.caps.count;
+        largest[cluster.closed] = std::max(largest[cluster.closed], cluster.caps.count);
     }
     constexpr std::size_t mostMerged = 16 * clusterTriangles;
-    return (ofKind[0] <= 1 && ofKind[1] <= 1) || shadow->caps.size() <= mostMerged;
+    return all[0] - largest[0] <= mostMerged && all[1] - largest[1] <= mostMerged;
 }
 
 UncutRecords uncutRecords(const Batch& batch, const std::vector<Material>& materials,

@@ -41,8 +41,7 @@ struct UncutRecords {
     }
 
     /// Whether cutRecords() applies: all casters are opaque, and their clusters may be merged into
-    /// one of closed and one of open components, because they are such already or because they are
-    /// small.
+    /// one of closed and one of open components, because all but the largest are small together.
     bool canFollowCuts() const;
 };
 

@@ -1,7 +1,6 @@
 #include "src/scene/cut_loaded.hpp"
 
 #include "preprocess/section/component_blocks.hpp"
-#include "preprocess/volumes/cut_records.hpp"
 
 #include <algorithm>
 
@@ -44,7 +43,7 @@ std::shared_ptr<const PlanePairShadow> recordsOf(UncutScene& uncut, const Loaded
     if (const CutOrigins& origins = uncut.cutter.origins()[i]; !origins.ofTriangle.empty())
         if (FollowedGeometry* const followed = followedOf(uncut, whole, settings))
             return followed->made.share(cutRecords(followed->uncut, *batch.geometry, origins,
-                                                   materials, settings.castMasked,
+                                                   materials, settings.castMasked, uncut.memory,
                                                    followed->made.take()));
     const Casters casters = castersOf(batch, materials, settings.castMasked);
     auto records = std::make_shared<const PlanePairShadow>(

@@ -2,7 +2,7 @@
 
 #include "preprocess/base/shared_pool.hpp"
 #include "preprocess/section/cut_scene.hpp"
-#include "preprocess/volumes/uncut_records.hpp"
+#include "preprocess/volumes/cut_records.hpp"
 #include "src/scene/load.hpp"
 
 #include <map>
@@ -29,6 +29,7 @@ struct UncutScene {
     /// Geometries of the cutter, made when a cut first crosses them; null for those that
     /// cutRecords() doesn't apply to.
     std::map<const Geometry*, std::unique_ptr<FollowedGeometry>> followed = {};
+    CutMemory memory = {};
     /// Geometries of the last cut and their records, for those that the next one leaves.
     std::vector<std::pair<CopyOnWrite<Geometry>, std::shared_ptr<const PlanePairShadow>>> last = {};
 };

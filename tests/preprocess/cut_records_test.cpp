@@ -121,7 +121,7 @@ class Comparison {
         ++followed;
         const Batch& batch = cut.batches[0];
         const PlanePairShadow made =
-            cutRecords(uncut, *batch.geometry, origins, cut.materials, false);
+            cutRecords(uncut, *batch.geometry, origins, cut.materials, false, memory_);
         const CasterMesh mesh = weldForRecords(batch, castersOf(batch, cut.materials, false));
         const EdgeList edges = buildEdges(mesh.welded);
         const PlanePairShadow found = buildPlanePairs(mesh, edges, cut.materials);
@@ -278,6 +278,8 @@ class Comparison {
                 ASSERT_EQ(signs.caps[i], facings[made.capTriangles[i]]);
             }
     }
+
+    CutMemory memory_; ///< of all comparisons
 };
 
 std::vector<Section> randomSections(Random& random, const Soup& soup) {

@@ -266,6 +266,30 @@ TEST(VisiblePart, FollowsMaterialsThatBecomeDoubleSided) {
     }
 }
 
+// Cones only serve to cull.
+TEST(VisiblePart, HasConesOfAWholeSceneAndNoneOfACutOne) {
+    Scene whole;
+    addBall(whole, 20, 2);
+    const Scene cut = [&] {
+        Scene made = whole;
+        made.culls = false;
+        made.cutFrom = CutFrom{std::make_shared<const Scene>(whole), {}};
+        made.batches.front().geometry.edit().indices.resize(300);
+        made.batches.front().geometry.edit().groups = {{0, 0, 300}};
+        made.batches.push_back(whole.batches.front());
+        return made;
+    }();
+    Random random(35);
+    SceneTree tree(cut);
+    for (std::size_t i = 0; i < 2; ++i)
+        EXPECT_FALSE(tree.trianglesOf(i).hasCones());
+    EXPECT_TRUE(findsTheSame(cut, tree, someFrustum(random, cut)));
+    tree.update(whole); // which has the geometry of the second batch
+    EXPECT_TRUE(tree.trianglesOf(0).hasCones());
+    for (int view = 0; view < 20; ++view)
+        EXPECT_TRUE(findsTheSame(whole, tree, someFrustum(random, whole))) << view;
+}
+
 /// Corners of a rectangle across the viewing direction -z.
 std::vector<glm::vec3> rectangle(const glm::vec2& low, const glm::vec2& high, float z) {
     return {{low.x, low.y, z}, {high.x, low.y, z}, {high.x, high.y, z}, {low.x, high.y, z}};

@@ -66,45 +66,54 @@ std::vector<std::uint8_t> singleSidedOf(const Geometry& geometry,
 } // namespace
 
 TriangleTree::TriangleTree(const Geometry& geometry, const std::vector<Material>& materials,
-                           Threads threads)
+                           Cones cones, Threads threads)
     : triangles_(alongCurve(geometry, materials, threads)),
-      boxes_((triangles_.size() + leafSize - 1) / leafSize), cones_(boxes_.groups()) {
+      boxes_((triangles_.size() + leafSize - 1) / leafSize),
+      cones_(cones == Cones::found ? boxes_.groups() : 0) {
     refit(geometry, materials);
 }
 
 void TriangleTree::refit(const Geometry& geometry, const std::vector<Material>& materials) {
-    const std::vector<std::uint8_t> singleSided = singleSidedOf(geometry, materials);
     bounds_ = {};
     for (std::size_t leaf = 0; leaf < boxes_.items(); ++leaf)
-        fitLeaf(leaf, geometry, singleSided);
+        fitLeaf(leaf, geometry);
     boxes_.fit();
-    for (std::size_t level = 1; level < boxes_.levels(); ++level)
-        for (std::size_t i = 0; i < boxes_.count(level); ++i)
-            fitCone(level, i);
+    if (hasCones()) fitCones(geometry, materials);
     farthest_ = glm::dvec3(0.0);
     for (const glm::vec3& position : geometry.positions)
         farthest_ = glm::max(farthest_, glm::dvec3(glm::abs(position)));
 }
 
-void TriangleTree::fitLeaf(std::size_t leaf, const Geometry& geometry,
-                           const std::vector<std::uint8_t>& singleSided) {
+void TriangleTree::fitLeaf(std::size_t leaf, const Geometry& geometry) {
     glm::vec3 low(std::numeric_limits<float>::infinity()), high(-low);
-    std::array<NormalCone, leafSize> cones;
-    std::size_t count = 0;
-    for (const std::uint32_t triangle : trianglesOf(leaf)) {
-        std::array<glm::vec3, 3> corners;
+    for (const std::uint32_t triangle : trianglesOf(leaf))
         for (std::size_t c = 0; c < 3; ++c) {
-            corners[c] = geometry.positions[geometry.indices[3 * triangle + c]];
-            low = glm::min(low, corners[c]);
-            high = glm::max(high, corners[c]);
+            const glm::vec3& corner = geometry.positions[geometry.indices[3 * triangle + c]];
+            low = glm::min(low, corner);
+            high = glm::max(high, corner);
         }
-        cones[count++] =
-            singleSided[triangle] != 0 ? coneOf(corners[0], corners[1], corners[2]) : NormalCone();
-    }
     boxes_.set(leaf, low, high);
     bounds_.add(glm::dvec3(low));
     bounds_.add(glm::dvec3(high));
-    cones_[boxes_.numberOf(0, leaf / 4)].set(leaf % 4, coneAround(std::span(cones).first(count)));
+}
+
+void TriangleTree::fitCones(const Geometry& geometry, const std::vector<Material>& materials) {
+    const std::vector<std::uint8_t> singleSided = singleSidedOf(geometry, materials);
+    const auto corner = [&](std::uint32_t triangle, std::size_t c) {
+        return glm::dvec3(geometry.positions[geometry.indices[3 * triangle + c]]);
+    };
+    std::array<NormalCone, leafSize> cones;
+    for (std::size_t leaf = 0; leaf < boxes_.items(); ++leaf) {
+        std::size_t count = 0;
+        for (const std::uint32_t t : trianglesOf(leaf))
+            cones[count++] = singleSided[t] != 0 ? coneOf(corner(t, 0), corner(t, 1), corner(t, 2))
+                                                 : NormalCone();
+        cones_[boxes_.numberOf(0, leaf / 4)].set(leaf % 4,
+                                                 coneAround(std::span(cones).first(count)));
+    }
+    for (std::size_t level = 1; level < boxes_.levels(); ++level)
+        for (std::size_t i = 0; i < boxes_.count(level); ++i)
+            fitCone(level, i);
 }
 
 void TriangleTree::fitCone(std::size_t level, std::size_t i) {

@@ -9,9 +9,12 @@
 
 namespace edgeshade {
 
-/// Boxes around the visible triangles of a geometry, in leaves of eight neighbours, and cones of
-/// their normals. Takes 12 bytes a triangle. It holds no positions, so that it is right only for
-/// the geometry, and the sides of its materials, that it was made from or refitted to.
+/// Whether a tree has cones of normals: scenes that cull nothing need none.
+enum class Cones : std::uint8_t { none, found };
+
+/// Boxes around the visible triangles of a geometry, in leaves of eight neighbours, and perhaps
+/// cones of their normals. Takes 12 bytes a triangle. It holds no positions, so that it is right
+/// only for the geometry, and the sides of its materials, that it was made from or refitted to.
 class TriangleTree {
   public:
     static constexpr std::size_t leafSize = 8;
@@ -20,13 +23,15 @@ class TriangleTree {
     /// Takes a time that grows a little more than linearly with the triangles.
     /// `materials`: the scene's.
     TriangleTree(const Geometry& geometry, const std::vector<Material>& materials,
-                 Threads threads = {});
+                 Cones cones = Cones::found, Threads threads = {});
 
     /// Fits boxes and cones to other positions of the same triangles.
     void refit(const Geometry& geometry, const std::vector<Material>& materials);
 
     const BoxTree<float>& boxes() const { return boxes_; }
-    /// The normals in the boxes of that group; known where all triangles are single-sided.
+    bool hasCones() const { return !cones_.empty(); }
+    /// The normals in the boxes of that group, if it hasCones(); known where all triangles are
+    /// single-sided.
     const FourCones& cones(std::size_t level, std::size_t group) const {
         return cones_[boxes_.numberOf(level, group)];
     }
@@ -41,13 +46,13 @@ class TriangleTree {
     const glm::dvec3& farthest() const { return farthest_; }
 
   private:
-    void fitLeaf(std::size_t leaf, const Geometry& geometry,
-                 const std::vector<std::uint8_t>& singleSided);
+    void fitLeaf(std::size_t leaf, const Geometry& geometry);
+    void fitCones(const Geometry& geometry, const std::vector<Material>& materials);
     void fitCone(std::size_t level, std::size_t i);
 
     std::vector<std::uint32_t> triangles_; ///< leaf by leaf
     BoxTree<float> boxes_;                 ///< of the leaves
-    std::vector<FourCones> cones_;         ///< by group of boxes_
+    std::vector<FourCones> cones_;         ///< by group of boxes_; or empty
     Box bounds_;
     glm::dvec3 farthest_{0.0};
 };

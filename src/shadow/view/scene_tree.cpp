@@ -42,6 +42,9 @@ void SceneTree::update(const Scene& scene) {
                     doubleSided_.begin()))
         batches_.clear();
     doubleSided_ = std::move(doubleSided);
+    const bool ofCut = scene.cutFrom.has_value();
+    if (ofCut_ && !ofCut) batches_.clear(); // their trees may have no cones
+    ofCut_ = ofCut;
     std::map<const Geometry*, CopyOnWrite<TriangleTree>> trees;
     for (const OfBatch& of : batches_)
         if (of.geometry) trees.emplace(&**of.geometry, of.triangles);
@@ -65,7 +68,8 @@ void SceneTree::update(const Scene& scene) {
         const auto found = batch.deforms() ? trees.end() : trees.find(&*batch.geometry);
         of.triangles = found != trees.end()
                            ? found->second
-                           : CopyOnWrite(TriangleTree(*batch.geometry, scene.materials));
+                           : CopyOnWrite(TriangleTree(*batch.geometry, scene.materials,
+                                                      ofCut ? Cones::none : Cones::found));
         of.deformation = batch.deformation;
         of.shape = batch.shape;
         if (batch.deforms()) continue;

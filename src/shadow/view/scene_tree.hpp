@@ -50,6 +50,7 @@ class SceneTree {
 
     std::vector<OfBatch> batches_;
     std::vector<std::uint8_t> doubleSided_; ///< by material
+    bool ofCut_ = false;                    ///< a section cuts the scene, which then culls nothing
     std::vector<std::uint32_t> places_;
     BoxTree<double> boxes_;
     Box extent_;

@@ -21,7 +21,7 @@ struct BatchBoxes {
                const TriangleTree& triangles_)
         : triangles(triangles_), placed(clipping, scene, batch, triangles.farthest()),
           space(clipping, placed.viewFromBatch(), triangles.farthest(), placed.slopeErrors()) {
-        if (scene.culls)
+        if (scene.culls && triangles.hasCones())
             back.emplace(placed.viewFromBatch(), clipping.frustum.orthographic, placed.error());
     }
 
