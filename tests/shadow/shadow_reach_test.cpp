@@ -77,6 +77,24 @@ TEST(ShadowReach, HoldsEveryVisiblePointBehindTheBox) {
     EXPECT_GT(smaller, 100u) << "most rectangles should leave something out";
 }
 
+TEST(ShadowReach, EndsWhereShadowsLeaveTheVisibleGeometry) {
+    const Camera camera{{0, 1.5, 8}, {0, 0.5, 0}, 60};
+    const Scene scene = test::yard().scene();
+    // Both shadows are 1 m long on the ground.
+    for (const glm::dvec4& position : {glm::dvec4(1, 1, 0, 0), glm::dvec4(1, 2, 0, 1)}) {
+        const Light light{position};
+        const FrameView view = makeFrameView(
+            scene, {frustumOf(camera, double(width) / height), width, height, {light}},
+            worldBounds(scene));
+        const PixelRectangle reach = shadowReach(view, {{-0.3, 0.0, -0.3}, {0.3, 1.0, 0.3}}, light);
+        EXPECT_FALSE(reach.empty());
+        EXPECT_GT(reach.x, width / 5) << "to the left";
+        EXPECT_GT(reach.y, height / 8) << "below the ground";
+        const Box below{{-0.3, -9.0, -0.3}, {0.3, -8.0, 0.3}};
+        EXPECT_TRUE(shadowReach(view, below, light).empty()) << "nothing visible is behind it";
+    }
+}
+
 TEST(ShadowReach, OfNothingIsEmptyAndAroundTheLightIsWhole) {
     Random random(6);
     const Light lamp{{0.2, 1.0, 0.3, 1.0}};

@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { useBrowser } from './support/browser.mjs';
-import { blocksOf } from './support/readme.mjs';
+import { recipes } from './support/readme.mjs';
 import { openThree } from './support/three.mjs';
 
 const shared = useBrowser({ angle: 'gl-egl' });
@@ -25,8 +25,6 @@ function assertRight(told, { least = 1000, dark = 60 } = {}) {
       `${name}: ${of.wrong} of ${of.surfaces} pixels are wrong, ${of.beyond} of them beyond outlines`);
   }
 }
-
-const [composed] = blocksOf('with post-processing', 'js');
 
 for (const release of ['three-0.152', 'three'])
   test(`a composer of another pixel ratio, by the README's lines, in ${release}`, async () => {
@@ -61,7 +59,7 @@ for (const release of ['three-0.152', 'three'])
         composer.passes[0] = own;
       }
       return told;
-    }, composed, release);
+    }, recipes.get('Composer'), release);
     console.log(release, told);
     assert.deepEqual(warnings, []);
     assertRight(told);

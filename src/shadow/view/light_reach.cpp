@@ -121,6 +121,35 @@ PixelRectangle spotReach(const FrameView& view, const Interval& depths, const Li
     return intersection(pixels, pixelsAround(pyramidAround(spot, reach), depths, view));
 }
 
+/// Room for the rounding of what is visible, as a share of its size.
+constexpr double visibleRounding = 1e-6;
+
+/// How many times `step` a point of `casters` can be moved until it has left `visible`.
+double mostSteps(const Box& casters, const glm::dvec3& step, const Box& visible) {
+    const double room = visibleRounding * visible.diagonal();
+    double most = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < 3; ++k) {
+        if (step[k] > 0.0)
+            most = std::min(most, (visible.high[k] - casters.low[k] + room) / step[k]);
+        if (step[k] < 0.0)
+            most = std::min(most, (visible.low[k] - casters.high[k] - room) / step[k]);
+    }
+    return most;
+}
+
+/// How many times as far from `light` as a point of `casters` a point of `visible` behind it can
+/// be.
+double mostTimes(const Box& casters, const glm::dvec3& light, const Box& visible) {
+    const double room = visibleRounding * visible.diagonal();
+    const glm::dvec3 low = casters.low - light, high = casters.high - light;
+    double most = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < 3; ++k) {
+        if (low[k] > 0.0) most = std::min(most, (visible.high[k] - light[k] + room) / low[k]);
+        if (high[k] < 0.0) most = std::min(most, (visible.low[k] - light[k] - room) / high[k]);
+    }
+    return most;
+}
+
 } // namespace
 
 PixelRectangle visiblePixels(const FrameView& view) {
@@ -156,14 +185,17 @@ PixelRectangle shadowReach(const FrameView& view, const Box& casters, const Ligh
         if (nearest * 1e6 <= farther) return whole;
         farther /= nearest;
     }
-    const glm::dvec3 behind =
-        directional ? -glm::normalize(place) * both.diagonal() : glm::dvec3(0.0);
+    const glm::dvec3 away = directional ? -glm::normalize(place) : glm::dvec3(0.0);
+    const double most = directional
+                            ? std::min(both.diagonal(), mostSteps(casters, away, view.visible))
+                            : std::min(farther, mostTimes(casters, place, view.visible));
+    if (most < (directional ? 0.0 : 1.0)) return {};
     std::array<glm::dvec3, 16> corners;
     for (int i = 0; i < 8; ++i) {
         const glm::dvec3 corner = casters.corner(i);
         const auto at = static_cast<std::size_t>(2 * i);
         corners[at] = corner;
-        corners[at + 1] = directional ? corner + behind : place + (corner - place) * farther;
+        corners[at + 1] = directional ? corner + away * most : place + (corner - place) * most;
     }
     return intersection(
         whole, pixelsAround(corners, {view.near(), view.farthestDepth * (1.0 + 1e-3)}, view));

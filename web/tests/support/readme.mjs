@@ -6,9 +6,20 @@ import { repository } from './server.mjs';
 
 const text = readFileSync(join(repository, 'web/README.md'), 'utf8');
 
-/** The blocks of a language below the heading that ends with `heading`, in order. */
-export function blocksOf(heading, language) {
-  const section = text.split(/^## /m).find((part) => part.split('\n', 1)[0].endsWith(heading));
+const titleOf = (part) => part.split('\n', 1)[0];
+
+/** The section whose heading ends with `heading`. */
+function sectionOf(heading) {
+  const section = text.split(/^## /m).find((part) => titleOf(part).endsWith(heading));
   if (!section) throw new Error(`The README has no section ${heading}.`);
-  return [...section.matchAll(new RegExp(`^\`\`\`${language}\\n([^]*?)^\`\`\``, 'gm'))].map(([, code]) => code);
+  return section;
 }
+
+const blocksIn = (part, language) => [...part.matchAll(new RegExp(`^\`\`\`${language}\\n([^]*?)^\`\`\``, 'gm'))].map(([, code]) => code);
+
+/** The blocks of a language below the heading that ends with `heading`, in order. */
+export const blocksOf = (heading, language) => blocksIn(sectionOf(heading), language);
+
+/** The recipes for three.js: JavaScript by title, in order. */
+export const recipes = new Map(sectionOf('Recipes for three.js').split(/^### /m).slice(1)
+  .map((part) => [titleOf(part), blocksIn(part, 'js').join('')]));
