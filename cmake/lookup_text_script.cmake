@@ -2,6 +2,7 @@
 # -DSHADER_DIR=... -DOUTPUT=... -P this file.
 include(${CMAKE_CURRENT_LIST_DIR}/shader_text.cmake)
 
+set(LEFT_OUT primitive_map_tables.glsl primitive_map_places.glsl) # the viewer's own
 read_with_includes(${SHADER_DIR}/host/lookup.glsl text)
 string(REGEX REPLACE " *//[^\n]*" "" text "${text}")
 string(REGEX REPLACE "\n[\n ]+" "\n" text "${text}")

@@ -88,6 +88,18 @@ void findMapPoint() {
 #endif
 }
 
+#ifdef PRIMITIVE_MAP_POINTS
+// Number of places, of 16, that are seen from the point. `casts`: see primitiveListIsEmpty().
+float placesSeen(highp vec3 point, bool casts) {
+    highp float all = 0.0;
+    for (int k = 0; k < 4; ++k)
+        all += sumOf(u_placesCounted[k]);
+    if (!findPrimitiveTexel(point)) return all;
+    if (primitiveDepth - pointError > primitiveHeader.x) return 0.0;
+    return primitiveListIsEmpty(casts) ? all : placesLeft(point, casts);
+}
+#endif
+
 // 1 or 0; with PRIMITIVE_MAP_POINTS the number of the light's places that reach the fragment.
 float litByPrimitives() {
     if (facing() * LIGHT_SIDE < 0.0 || LIGHT_SIDE > 1.5) return 0.0;

@@ -2,12 +2,20 @@
 // (docs/method.md, C42; PrimitiveMap in src/shadow/primitive_map). Include it after
 // primitive_map_lookup.glsl, which finds the point's texel. A record holds a triangle's corners a,
 // b, c in order, so that both triangles of an edge compute the same for it.
-uniform highp vec4 u_placesX[4]; // x of 16 places, in map space
-uniform highp vec4 u_placesY[4];
-uniform highp vec4 u_placesZ[4];
-uniform highp float u_placesW; // of all places; 0: they are directions
-uniform highp vec4 u_placesCounted[4]; // 1, or 0 for an unused place
-uniform highp vec4 u_mapEye;           // the eye in map space, homogeneous
+//   PRIMITIVE_MAP_ONE_TABLE  the places are in the map's table: PackedPrimitiveMap in src/scene
+#ifdef PRIMITIVE_MAP_ONE_TABLE
+uniform highp vec2 u_primitivePlaces; // first texel of the places, number of sixteens of them
+highp float sixteenAt;                // first texel of the sixteen places that are tested
+highp float placesW;
+#define PRIMITIVE_PLACES_X(k) primitiveTexel(sixteenAt + float(k))
+#define PRIMITIVE_PLACES_Y(k) primitiveTexel(sixteenAt + float(k) + 4.0)
+#define PRIMITIVE_PLACES_Z(k) primitiveTexel(sixteenAt + float(k) + 8.0)
+#define PRIMITIVE_PLACES_COUNTED(k) primitiveTexel(sixteenAt + float(k) + 12.0)
+#define PRIMITIVE_PLACES_W placesW
+#define PRIMITIVE_TOWARDS_EYE(a) primitiveTowardsEye
+#else
+#include "primitive_map_places.glsl"
+#endif
 
 // How far off a triangle's plane rounding may have put a point of it, in map space.
 highp float pointError;
@@ -27,7 +35,7 @@ highp vec4 notBlocked(highp vec4 x, highp vec4 y, highp vec4 z) {
     highp vec4 second = edgeBC.x * x + edgeBC.y * y + edgeBC.z * z;
     highp vec4 third = edgeAC.x * x + edgeAC.y * y + edgeAC.z * z;
     highp vec4 across = hand * (triangleNormal.x * x + triangleNormal.y * y +
-                                triangleNormal.z * z + vec4(u_placesW * abovePlane));
+                                triangleNormal.z * z + vec4(PRIMITIVE_PLACES_W * abovePlane));
     highp vec4 zero = vec4(0.0);
     highp vec4 within = max(step(zero, first) * step(zero, second) * step(third, zero),
                             step(first, zero) * step(second, zero) * step(zero, third));
@@ -35,7 +43,7 @@ highp vec4 notBlocked(highp vec4 x, highp vec4 y, highp vec4 z) {
     return vec4(1.0) - within * (vec4(1.0) - step(zero, across));
 }
 
-#ifdef MASK
+#if defined(MASK) || defined(PRIMITIVE_MAP_ONE_TABLE)
 // For each of four places, 1 unless it only grazes the triangle, else 0: the sine of the angle to
 // the triangle's plane is above LightContact::grazingSine (docs/method.md, C47).
 highp vec4 notGrazing(highp vec4 x, highp vec4 y, highp vec4 z) {
@@ -46,31 +54,26 @@ highp vec4 notGrazing(highp vec4 x, highp vec4 y, highp vec4 z) {
 
 highp float sumOf(highp vec4 four) { return four.x + four.y + four.z + four.w; }
 
-// Number of places, of 16, that are seen from the point. `casts`: see primitiveListIsEmpty().
-highp float placesSeen(highp vec3 point, bool casts) {
+// Number of places, of 16, that the triangles in the texel's list leave. Call it after
+// findPrimitiveTexel(), for a list that isn't empty. `casts`: see primitiveListIsEmpty().
+highp float placesLeft(highp vec3 point, bool casts) {
     highp vec4 seen[4];
     highp vec4 towardsX[4];
     highp vec4 towardsY[4];
     highp vec4 towardsZ[4];
-    highp float all = 0.0;
     for (int k = 0; k < 4; ++k) {
-        seen[k] = u_placesCounted[k];
-        towardsX[k] = u_placesX[k] - vec4(u_placesW * point.x);
-        towardsY[k] = u_placesY[k] - vec4(u_placesW * point.y);
-        towardsZ[k] = u_placesZ[k] - vec4(u_placesW * point.z);
-        all += sumOf(seen[k]);
+        seen[k] = PRIMITIVE_PLACES_COUNTED(k);
+        towardsX[k] = PRIMITIVE_PLACES_X(k) - vec4(PRIMITIVE_PLACES_W * point.x);
+        towardsY[k] = PRIMITIVE_PLACES_Y(k) - vec4(PRIMITIVE_PLACES_W * point.y);
+        towardsZ[k] = PRIMITIVE_PLACES_Z(k) - vec4(PRIMITIVE_PLACES_W * point.z);
     }
-    if (!findPrimitiveTexel(point)) return all;
-    if (primitiveDepth - pointError > primitiveHeader.x) return 0.0;
-    if (primitiveListIsEmpty(casts)) return all;
     highp float list = floor(primitiveHeader.w);
     for (int i = 0; i < PRIMITIVE_MAP_LONGEST; ++i) {
-        highp vec4 entry =
-            primitiveTexel(u_primitiveEntries, u_primitiveEntriesSize, list + float(i));
+        highp vec4 entry = primitiveEntry(list + float(i));
         highp float record = 3.0 * floor(entry.x);
-        highp vec3 a = primitiveTexel(u_primitiveRecords, u_primitiveRecordsSize, record).xyz;
-        highp vec3 b = primitiveTexel(u_primitiveRecords, u_primitiveRecordsSize, record + 1.0).xyz;
-        highp vec3 c = primitiveTexel(u_primitiveRecords, u_primitiveRecordsSize, record + 2.0).xyz;
+        highp vec3 a = primitiveRecord(record).xyz;
+        highp vec3 b = primitiveRecord(record + 1.0).xyz;
+        highp vec3 c = primitiveRecord(record + 2.0).xyz;
         edgeAB = cross(a - point, b - a);
         edgeBC = cross(b - point, c - b);
         edgeAC = cross(a - point, c - a);
@@ -79,9 +82,8 @@ highp float placesSeen(highp vec3 point, bool casts) {
         highp vec3 terms = abs(triangleNormal);
         // A point on the triangle is on the side that it is seen from.
         bool isOn = abs(abovePlane) <= pointError * (terms.x + terms.y + terms.z);
-        highp float side =
-            isOn ? dot(triangleNormal, u_mapEye.xyz - u_mapEye.w * a) : abovePlane;
-#ifdef MASK
+        highp float side = isOn ? dot(triangleNormal, PRIMITIVE_TOWARDS_EYE(a)) : abovePlane;
+#if defined(MASK) || defined(PRIMITIVE_MAP_ONE_TABLE)
         if (isOn)
             for (int k = 0; k < 4; ++k)
                 seen[k] *= notGrazing(towardsX[k], towardsY[k], towardsZ[k]);

@@ -35,6 +35,9 @@ struct LookupSettings {
     /// Casters that have moved or changed are left out of the map until they have rested for so
     /// many milliseconds; 0: all casters are in it.
     double restMs = 500.0;
+    /// Points of a light with a radius, as in MaskView, 1..4096. Its map has to hold all casters:
+    /// `restMs` is 0 then.
+    std::size_t lightSamples = 64;
     /// The shader needs lookupSource() with the same. Otherwise such meshes cast as in masks.
     LookupCasters casters{};
 };
@@ -62,7 +65,8 @@ class LookupWork {
 /// A lookup's casters compared with the present ones.
 struct LookupState {
     /// The light and all of the lookup's casters are as they were when its work began. Otherwise
-    /// its shadows are wrong.
+    /// its shadows are wrong. A light with a radius may have no movers either, and a sun's
+    /// receivers have to stay within reach.
     bool holds = false;
     std::size_t movers = 0; ///< casters that aren't in it
     std::size_t rested = 0; ///< those that have rested for the requested time, or never moved
@@ -77,6 +81,8 @@ struct LightLookup {
     std::array<float, 2> begins{};    ///< PREFIX_begins
     float size = 0.0f;                ///< PREFIX_size
     float kind = 0.0f;                ///< PREFIX_kind
+    /// PREFIX_places of a light with a radius: call PREFIX_litShare(). {0, 0}: it has none.
+    std::array<float, 2> places{};
     Matrix16 mapFromWorld = identity16;
     std::size_t bytes = 0;       ///< on the GPU
     std::size_t longestList = 0; ///< the most triangles that a fragment may have to test
@@ -111,7 +117,9 @@ std::array<float, 16> mapFromView(const LightLookup& lookup, const Matrix16& vie
 /// `prefix`: letters, digits and single underscores; with a prefix for each, one shader may query
 /// several lights. `casters`: those of the maps; all maps without them fit too. With tints there
 /// are also PREFIX_litColor() and PREFIX_litColorOn(), with the same arguments, which return the
-/// share of red, green and blue as a vec3. Throws std::runtime_error.
-std::string lookupSource(const std::string& prefix, LookupCasters casters = {});
+/// share of red, green and blue as a vec3. `soft`: there are also PREFIX_litShare() and
+/// PREFIX_litShareOn(), for maps of lights with a radius alone, which return the share of the
+/// light's points that reach the fragment, 0..1. Throws std::runtime_error.
+std::string lookupSource(const std::string& prefix, LookupCasters casters = {}, bool soft = false);
 
 } // namespace edgeshade

@@ -262,6 +262,10 @@ class ShadowMasks {
     const MaskRegion& region() const;
     const MaskCost& cost() const;
 
+    /// A box in the world around surfaces that sample lookups of suns with a radius, and aren't
+    /// added here. Corners that aren't finite: there are none.
+    void setReceivers(const std::array<double, 3>& low, const std::array<double, 3>& high);
+
     /// Takes a snapshot of the resting casters (LookupSettings::restMs) and a light; see
     /// light_lookup.hpp. Needs no context.
     LookupWork lookupWork(const MaskLight& light, const LookupSettings& settings = {}) const;

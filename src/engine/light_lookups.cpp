@@ -17,6 +17,7 @@ LightLookup toldOf(const BuiltLookup& built, const gl::FloatTable& table) {
                    [](std::size_t begin) { return static_cast<float>(begin); });
     told.size = static_cast<float>(map.size);
     told.kind = static_cast<float>(map.kind);
+    told.places = {static_cast<float>(map.places), static_cast<float>(map.sixteens)};
     std::copy_n(glm::value_ptr(map.mapFromWorld), 16, told.mapFromWorld.begin());
     told.bytes = table.bytes();
     told.longestList = map.longestList;
@@ -25,17 +26,21 @@ LightLookup toldOf(const BuiltLookup& built, const gl::FloatTable& table) {
 
 } // namespace
 
-std::string LightLookups::obstacle(const Light& light) const {
-    if (!gl::hasWideTables(capabilities_)) return "the GL can't sample float textures exactly";
-    if (light.extent) return "a light with an extent needs masks";
-    return {};
+std::string LightLookups::obstacle() const {
+    return gl::hasWideTables(capabilities_) ? "" : "the GL can't sample float textures exactly";
 }
 
 LightLookups::Id LightLookups::add(const LookupWork& work) {
     LookupWork::Data& data = *work.data();
     if (!data.done) throw InputError("A light's map was added before its work was done.");
     if (std::exchange(data.taken, true)) throw InputError("A light's map was added twice.");
-    Kept kept{data.task.light, std::move(data.held), std::move(data.built.map.texels), {}, 0, {}};
+    Kept kept{data.task.light,
+              data.task.receivers,
+              std::move(data.held),
+              std::move(data.built.map.texels),
+              {},
+              0,
+              {}};
     kept.told.why = data.built.why;
     if (kept.told.why.empty()) {
         try {
@@ -74,7 +79,14 @@ void LightLookups::remove(Id id) {
 }
 
 bool LightLookups::isOf(Id id, const Light& light) const {
-    return at(id).light.position == light.position && !light.extent;
+    return at(id).light.position == light.position && at(id).light.extent == light.extent;
+}
+
+bool LightLookups::reaches(Id id, const Box& receivers) const {
+    const Kept& kept = at(id);
+    if (!kept.light.extent || kept.light.position.w != 0.0) return true;
+    return receivers.empty() ||
+           (kept.receivers.holds(receivers.low) && kept.receivers.holds(receivers.high));
 }
 
 std::size_t LightLookups::bytes() const {

@@ -16,8 +16,8 @@ class LightLookups {
 
     explicit LightLookups(const gl::Capabilities& capabilities) : capabilities_(capabilities) {}
 
-    /// Why a light can have no map: a clause, or empty.
-    std::string obstacle(const Light& light) const;
+    /// Why no light can have a map: a clause, or empty.
+    std::string obstacle() const;
 
     /// Takes the map out of finished work, and makes a texture that is still empty. Throws
     /// InputError if the work isn't done, or its map was taken before.
@@ -31,11 +31,15 @@ class LightLookups {
     std::span<const HeldCaster> held(Id id) const { return at(id).held; }
     /// Whether the map is of this light, except for properties that shadows don't depend on.
     bool isOf(Id id, const Light& light) const;
+    /// Whether the map is right for receivers in a box in the world. The disc of a sun shades
+    /// points that are farther off by more casters.
+    bool reaches(Id id, const Box& receivers) const;
     std::size_t bytes() const;
 
   private:
     struct Kept {
         Light light;
+        Box receivers;
         std::vector<HeldCaster> held;
         std::vector<glm::vec4> texels; ///< until they are uploaded
         gl::FloatTable table;

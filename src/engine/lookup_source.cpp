@@ -13,11 +13,16 @@ bool isWordCharacter(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// Whether the source defines this name itself: names of the map and of cutouts.
+/// Whether the source defines this name itself: names of the map, of cutouts and of a light's
+/// points.
 bool isOwn(std::string_view word) {
     for (const std::string_view part : {"rimitive", "PRIMITIVE_"})
         if (word.find(part) != std::string_view::npos) return true;
-    return word.starts_with("cutout") || word == "wrappedTexel";
+    for (const std::string_view own :
+         {"wrappedTexel", "sixteenAt", "pointError", "edgeAB", "edgeBC", "edgeAC", "triangleNormal",
+          "abovePlane", "hand", "notBlocked", "notGrazing", "sumOf"})
+        if (word == own) return true;
+    return word.starts_with("cutout") || word.starts_with("places");
 }
 
 std::string lowered(std::string_view word) {
@@ -49,7 +54,7 @@ std::string withoutComments(std::string_view source) {
 
 } // namespace
 
-std::string lookupSource(const std::string& prefix, LookupCasters casters) {
+std::string lookupSource(const std::string& prefix, LookupCasters casters, bool soft) {
     if (prefix.empty() || !std::all_of(prefix.begin(), prefix.end(), isWordCharacter) ||
         std::isdigit(static_cast<unsigned char>(prefix[0])) || prefix.back() == '_' ||
         prefix.find("__") != std::string::npos || prefix.starts_with("gl_"))
@@ -58,6 +63,7 @@ std::string lookupSource(const std::string& prefix, LookupCasters casters) {
     std::string text;
     if (casters.cutouts) text += "#define " + prefix + "_PRIMITIVE_MAP_CUTOUTS\n";
     if (casters.tints) text += "#define " + prefix + "_PRIMITIVE_MAP_TINTS\n";
+    if (soft) text += "#define " + prefix + "_PRIMITIVE_MAP_POINTS\n";
     for (std::size_t i = 0; i < source.size();) {
         std::size_t end = i;
         while (end < source.size() && isWordCharacter(source[end]))

@@ -1,17 +1,26 @@
 #include "src/engine/lookup_work.hpp"
 
 #include "preprocess/base/stopwatch.hpp"
+#include "src/shadow/lights/light_extent.hpp"
 
 #include <glm/gtc/type_ptr.hpp>
 
 namespace edgeshade {
 namespace {
 
-PrimitiveMapSettings settingsOf(const LookupSettings& from) {
+PrimitiveMapSettings settingsOf(const LookupTask& task) {
+    const LookupSettings& from = task.settings;
     PrimitiveMapSettings settings;
     settings.size = from.size;
     settings.mostBytes = from.mostBytes;
     settings.othersReceive = true; // the host's own surfaces receive too
+    if (!task.light.extent) return settings;
+    settings.size = sizeForExtents(settings.size);
+    settings.mostSplits = 0;
+    settings.receivers = task.receivers;
+    // A fragment goes through its list once for each sixteen points, and GLs count all turns.
+    settings.longestWanted =
+        std::max<std::size_t>(1, longestAsked * placesAtOnce / from.lightSamples);
     return settings;
 }
 
@@ -92,14 +101,16 @@ bool LookupWork::Data::step() {
         return true;
     }
     if (!fitting) {
-        PrimitiveMapSettings settings = settingsOf(task.settings);
+        PrimitiveMapSettings settings = settingsOf(task);
         settings.cutouts = textures;
         fitting.emplace(task.light, placed, settings);
     }
     if (fitting->step()) return true;
     built.why = refusalOf({fitting->map().has_value(), fitting->tooFar(), fitting->tooLong(),
                            task.settings.mostBytes});
-    if (built.why.empty()) built.map = packedPrimitiveMap(*fitting->map());
+    std::vector<Light> points;
+    if (task.light.extent) points = lightPoints(task.light, task.settings.lightSamples);
+    if (built.why.empty()) built.map = packedPrimitiveMap(*fitting->map(), points);
     fitting.reset();
     return false;
 }

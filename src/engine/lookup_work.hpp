@@ -33,6 +33,8 @@ struct LookupTask {
     LookupSettings settings;
     std::vector<Caster> casters;
     std::string why; ///< why there can be no map, a clause; else empty
+    /// Everything that a light with a radius shines on, in the world.
+    Box receivers{};
 };
 
 /// Result of building a light's map.

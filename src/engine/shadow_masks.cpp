@@ -2,6 +2,7 @@
 
 #include "preprocess/base/error.hpp"
 #include "preprocess/base/stopwatch.hpp"
+#include "preprocess/base/vectors.hpp"
 #include "shaders_es2.hpp"
 #include "src/engine/caster_scene.hpp"
 #include "src/engine/host_lights.hpp"
@@ -10,10 +11,14 @@
 #include "src/gl/host_state.hpp"
 #include "src/gl/scissor.hpp"
 #include "src/render/accumulation/lit_counter.hpp"
+#include "src/shadow/lights/light_extent.hpp"
 #include "src/shadow/view/light_reach.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <GLES2/gl2.h>
+#include <glm/gtc/type_ptr.hpp>
+#include <limits>
 
 namespace edgeshade {
 namespace {
@@ -51,6 +56,30 @@ RenderSettings settingsFor(const gl::Capabilities& capabilities) {
     return settings;
 }
 
+void requireSamples(std::size_t samples) {
+    if (samples < 1 || samples > mostLightPoints)
+        throw InputError("Lights have 1 to " + std::to_string(mostLightPoints) + " samples, not " +
+                         std::to_string(samples) + ".");
+}
+
+/// Why a light with an extent has no map, whose points share one list: a clause, or empty.
+/// `movers`: casters that the map would leave out.
+std::string obstacleOfExtent(const LookupTask& task, std::size_t movers) {
+    if (movers > 0) return "it has a radius, and casters move";
+    const bool allSolid =
+        std::all_of(task.casters.begin(), task.casters.end(),
+                    [](const LookupTask::Caster& caster) { return caster.shadow != nullptr; });
+    return allSolid ? "" : "it has a radius, and cutouts or tints cast";
+}
+
+/// A box around receivers, with room for those that move a little.
+Box withRoom(Box receivers) {
+    const double room = 0.1 * receivers.diagonal();
+    receivers.low -= room;
+    receivers.high += room;
+    return receivers;
+}
+
 } // namespace
 
 /// Everything needed to draw; created and destroyed with the host's state kept.
@@ -69,6 +98,12 @@ struct MaskDrawing {
     /// Binds the framebuffer and the channel of a light's mask.
     void bindMask(std::size_t light);
     void fit(int width, int height, std::size_t lights);
+    /// A box around everything that lights shine on.
+    Box shoneOn() {
+        Box box = casters.bounds();
+        box.add(receivers);
+        return box;
+    }
 
     gl::Capabilities capabilities;
     Renderer renderer;
@@ -80,6 +115,7 @@ struct MaskDrawing {
     std::vector<unsigned> names;
     std::optional<NearnessPicture> nearness;
     MaskRegion region;
+    Box receivers; ///< the host's that aren't casters' meshes
     int width = 0, height = 0;
     std::size_t vertexRuns = 0;
 };
@@ -293,9 +329,7 @@ void ShadowMasks::draw(const MaskView& view, std::span<const MaskLight> lights,
     if (view.width < 1 || view.height < 1)
         throw InputError("A picture of " + std::to_string(view.width) + "x" +
                          std::to_string(view.height) + " pixels can't be drawn.");
-    if (view.lightSamples < 1 || view.lightSamples > mostLightPoints)
-        throw InputError("Lights have 1 to " + std::to_string(mostLightPoints) + " samples, not " +
-                         std::to_string(view.lightSamples) + ".");
+    requireSamples(view.lightSamples);
     if (!lookups.empty() && lookups.size() != lights.size())
         throw InputError(std::to_string(lookups.size()) + " lookups were passed for " +
                          std::to_string(lights.size()) + " lights.");
@@ -342,8 +376,17 @@ const MaskCost& ShadowMasks::cost() const {
     return impl_->cost;
 }
 
+void ShadowMasks::setReceivers(const std::array<double, 3>& low,
+                               const std::array<double, 3>& high) {
+    Box box;
+    for (const auto& corner : {low, high})
+        box.add(glm::make_vec3(corner.data()));
+    const bool isFinite = edgeshade::isFinite(box.low) && edgeshade::isFinite(box.high);
+    impl_->drawing->receivers = isFinite ? box : Box();
+}
+
 LookupWork ShadowMasks::lookupWork(const MaskLight& light, const LookupSettings& settings) const {
-    const MaskDrawing& drawing = *impl_->drawing;
+    MaskDrawing& drawing = *impl_->drawing;
     if (settings.size < 4 || !std::has_single_bit(static_cast<unsigned>(settings.size)))
         throw InputError(
             "A map of " + std::to_string(settings.size) +
@@ -351,11 +394,20 @@ LookupWork ShadowMasks::lookupWork(const MaskLight& light, const LookupSettings&
     if (!(settings.restMs >= 0.0))
         throw InputError("Casters can't rest for " + std::to_string(settings.restMs) +
                          " milliseconds: restMs must be 0 or more.");
+    requireSamples(settings.lightSamples);
     CasterScene::Casters resting = drawing.casters.resting(settings.restMs, settings.casters);
     LookupTask task{lightsOf({&light, 1}).front(), settings, std::move(resting.casters), {}};
-    task.why = drawing.lookups.obstacle(task.light);
+    task.why = drawing.lookups.obstacle();
     if (task.why.empty() && task.casters.empty() && drawing.casters.hasCasters())
         task.why = "all casters move";
+    if (task.light.extent) {
+        if (task.why.empty())
+            task.why = obstacleOfExtent(
+                task, drawing.casters.compare(resting.held, settings.restMs).movers);
+        task.receivers = withRoom(drawing.shoneOn());
+        task.light.cone.reset(); // the host's own
+        task.light.range = std::numeric_limits<double>::infinity();
+    }
     return workOn(std::move(task), std::move(resting.held));
 }
 
@@ -384,9 +436,12 @@ std::size_t ShadowMasks::restingState() const {
 }
 
 LookupState ShadowMasks::state(LookupId id, const MaskLight& light, double restMs) const {
-    const MaskDrawing& drawing = *impl_->drawing;
+    MaskDrawing& drawing = *impl_->drawing;
     LookupState state = drawing.casters.compare(drawing.lookups.held(id), restMs);
-    state.holds = state.holds && drawing.lookups.isOf(id, lightsOf({&light, 1}).front());
+    const Light of = lightsOf({&light, 1}).front();
+    state.holds = state.holds && drawing.lookups.isOf(id, of);
+    if (state.holds && of.extent)
+        state.holds = state.movers == 0 && drawing.lookups.reaches(id, drawing.shoneOn());
     return state;
 }
 

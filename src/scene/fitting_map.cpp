@@ -48,7 +48,7 @@ FittingMap::FittingMap(const Light& light, std::vector<PlacedCasters> casters,
     : light_(light), casters_(std::move(casters)), settings_(settings) {
     settings_.size = sizeFor(light_, casters_, settings.size);
     smallest_ = std::max(4, settings_.size / 8);
-    settings_.longestWanted = longestAsked;
+    settings_.longestWanted = std::min(settings.longestWanted, longestAsked);
 }
 
 bool FittingMap::step() {

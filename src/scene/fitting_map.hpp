@@ -12,8 +12,8 @@ inline constexpr std::size_t longestAsked = 3072;
 
 /// A light's primitive map, at a size that fits. It starts with as many texels as suit its casters,
 /// within its settings. If it takes too much memory, half as many along an edge are tried, down to
-/// an eighth. If a list is longer than longestAsked it gives up at once: larger texels have longer
-/// lists.
+/// an eighth. If a list is longer than longestAsked or its settings want, it gives up at once:
+/// larger texels have longer lists.
 class FittingMap {
   public:
     FittingMap(const Light& light, std::vector<PlacedCasters> casters,

@@ -153,8 +153,7 @@ PrimitiveMapTask PrimitiveMaps::taskOf(const LoadedScene& loaded, const Light& l
                                        const gl::Capabilities& capabilities) {
     settings.othersReceive = othersReceive(loaded);
     if (light.extent) {
-        // The region between a texel and an extended light shrinks little with the texel.
-        settings.size = std::max(4, settings.size / 2);
+        settings.size = sizeForExtents(settings.size);
         settings.mostSplits = 0;
         settings.receivers = receiversOf(loaded);
     }

@@ -98,7 +98,4 @@ class PrimitiveMaps {
     std::optional<Light> asked_;                  ///< the light whose map the worker builds
 };
 
-/// Points of a light that one pass counts with its map.
-inline constexpr std::size_t placesAtOnce = 16;
-
 } // namespace edgeshade

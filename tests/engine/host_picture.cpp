@@ -49,11 +49,16 @@ gl::Name compiled(GLenum stage, const std::string& source) {
 }
 
 std::string fragmentSource(HostPicture::Language language) {
-    std::string asks = language.casters.tints ? "sun_litColor" : "sun_lit";
+    std::string asks = language.casters.tints ? "sun_litColor"
+                       : language.soft        ? "sun_litShare"
+                                              : "sun_lit";
     asks += language.version3 || language.derivatives
                 ? "(v_place, -v_place, casts)"
                 : "On(v_place, -v_place, v_normal, 16.0, casts)";
-    if (!language.casters.tints) asks = "vec3(" + asks + " ? 1.0 : 0.0)";
+    if (language.soft)
+        asks = "vec3(" + asks + ")";
+    else if (!language.casters.tints)
+        asks = "vec3(" + asks + " ? 1.0 : 0.0)";
     std::string source = "precision mediump float;\n";
     if (language.version3)
         source = modern + source + modernFragment;
@@ -62,7 +67,7 @@ std::string fragmentSource(HostPicture::Language language) {
                  "#define EDGESHADE_DERIVATIVES\n" +
                  source;
     // Two lights in one shader have separate names.
-    source += lookupSource("sun", language.casters) + lookupSource("other_lamp");
+    source += lookupSource("sun", language.casters, language.soft) + lookupSource("other_lamp");
     return source + "#define ASKED " + asks + "\n" + fragmentStage;
 }
 
@@ -98,6 +103,7 @@ HostPicture::HostPicture(const ShadowMasks& masks, ShadowMasks::LookupId lookup,
     glUniform2fv(placeOf(program_, "sun_begins"), 1, told.begins.data());
     glUniform1f(placeOf(program_, "sun_size"), told.size);
     glUniform1f(placeOf(program_, "sun_kind"), told.kind);
+    glUniform2fv(placeOf(program_, "sun_places"), 1, told.places.data());
     setMatrix(program_, "sun_mapFromHost",
               glm::make_mat4(mapFromView(told, view.viewFromWorld).data()));
     const glm::dmat4 viewFromWorld = glm::make_mat4(view.viewFromWorld.data());
@@ -112,7 +118,7 @@ HostPicture::HostPicture(const ShadowMasks& masks, ShadowMasks::LookupId lookup,
                 isSpot ? static_cast<float>(std::cos(light.outerAngle)) : -1.0f);
     glViewport(0, 0, view.width, view.height);
     glEnable(GL_DEPTH_TEST);
-    glClearColor(1.0f, 1.0f, 1.0f, 1.0f);
+    glClearColor(1.0f, 1.0f, 1.0f, 0.0f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 

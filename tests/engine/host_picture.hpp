@@ -9,14 +9,16 @@
 namespace edgeshade::test {
 
 /// A foreign renderer that looks up a light's map in its own shader: white where the light reaches,
-/// tinted behind tinted meshes, black elsewhere, and white where there is no surface.
+/// tinted behind tinted meshes, grey in penumbras, black elsewhere, and white with an
+/// alpha of 0 where there is no surface.
 class HostPicture {
   public:
     /// `version3`: GLSL ES 3.00, else 1.00; with derivatives, or with normals that the host passes;
-    /// with other casters than solid ones, or without.
+    /// with other casters than solid ones, or without; `soft`: for a light with a radius.
     struct Language {
         bool version3 = false, derivatives = true;
         LookupCasters casters{};
+        bool soft = false;
     };
 
     HostPicture(const ShadowMasks& masks, ShadowMasks::LookupId lookup, const MaskLight& light,

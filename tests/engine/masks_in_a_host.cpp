@@ -38,13 +38,13 @@ MaskLight hostLight(const Light& light) {
     const glm::dvec4& at = light.position;
     MaskLight host;
     host.range = light.range;
+    if (light.extent) host.radius = light.extent->radius;
     if (at.w == 0.0) {
         host.direction = {-at.x, -at.y, -at.z};
         return host;
     }
     host.kind = MaskLight::Kind::point;
     host.position = {at.x, at.y, at.z};
-    if (light.extent) host.radius = light.extent->radius;
     if (light.cone) {
         host.kind = MaskLight::Kind::spot;
         host.direction = {light.cone->axis.x, light.cone->axis.y, light.cone->axis.z};

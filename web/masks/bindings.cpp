@@ -177,12 +177,17 @@ class PageMasks {
         });
     }
 
+    void setReceivers(double lowX, double lowY, double lowZ, double highX, double highY,
+                      double highZ) {
+        done([&] { masks().setReceivers({lowX, lowY, lowZ}, {highX, highY, highZ}); });
+    }
     /// The input for LookupMaker; empty on failure.
     emscripten::val lookupTask(std::uintptr_t light, int size, double mostBytes, double restMs,
-                               bool cutouts, bool tints) {
+                               bool cutouts, bool tints, std::size_t lightSamples) {
         bytes_ = {};
         done([&] {
-            LookupSettings settings{size, static_cast<std::size_t>(mostBytes), restMs};
+            LookupSettings settings{size, static_cast<std::size_t>(mostBytes), restMs,
+                                    lightSamples};
             settings.casters = {cutouts, tints};
             bytes_ = taskToTransfer(masks().lookupWork(lightAt(at<double>(light)), settings));
         });
@@ -225,7 +230,7 @@ class PageMasks {
         return known ? why : problem_;
     }
     /// Texture, table size (3), begins (2), size, kind, bytes, longest list,
-    /// milliseconds, map from world (16).
+    /// milliseconds, map from world (16), places (2).
     emscripten::val lookupNumbers(int id) {
         LightLookup told;
         done([&] { told = masks().lookup(idOf(id)); });
@@ -235,6 +240,7 @@ class PageMasks {
         numbers_.insert(numbers_.end(), {told.size, told.kind, static_cast<double>(told.bytes),
                                          static_cast<double>(told.longestList), told.buildMs});
         numbers_.insert(numbers_.end(), told.mapFromWorld.begin(), told.mapFromWorld.end());
+        numbers_.insert(numbers_.end(), told.places.begin(), told.places.end());
         return numbers();
     }
 
@@ -312,6 +318,7 @@ EMSCRIPTEN_BINDINGS(edgeshade_masks) {
         .function("setClippings", &PageMasks::setClippings)
         .function("remove", &PageMasks::remove)
         .function("draw", &PageMasks::draw)
+        .function("setReceivers", &PageMasks::setReceivers)
         .function("lookupTask", &PageMasks::lookupTask)
         .function("addLookup", &PageMasks::addLookup)
         .function("prepareUpload", &PageMasks::prepareUpload)

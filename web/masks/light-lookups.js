@@ -21,9 +21,9 @@ export class LightLookups {
     this.#engine = engine;
   }
 
-  async build(light, { size = 512, mostBytes = mostBytesAsked, restMs = 500, cutouts = false, tints = false, signal } = {}) {
+  async build(light, { size = 512, mostBytes = mostBytesAsked, restMs = 500, cutouts = false, tints = false, lightSamples = 64, signal } = {}) {
     const { program, masks, inContext, withLight, require } = this.#engine;
-    const task = withLight(light, (address) => masks.lookupTask(address, size, mostBytes, restMs, cutouts, tints)).slice();
+    const task = withLight(light, (address) => masks.lookupTask(address, size, mostBytes, restMs, cutouts, tints, lightSamples)).slice();
     require(task.length > 0);
     const result = await this.#calls.ask({ module: this.#module, task }, { transfer: [task.buffer], signal });
     if (!result) return null;
@@ -64,7 +64,7 @@ export class LightLookups {
     const [size, kind, bytes, longestList, buildMs] = numbers.slice(5, 10);
     return { why, uploaded: why === '' && !this.#texels.has(id), texture: why ? null : textureOf(texture),
       tableSize: numbers.slice(0, 3), begins: numbers.slice(3, 5), size, kind, bytes, longestList, buildMs,
-      mapFromWorld: numbers.slice(10) };
+      mapFromWorld: numbers.slice(10, 26), places: numbers.slice(26) };
   }
 
   state(id, light, restMs) {

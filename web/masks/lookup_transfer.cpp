@@ -8,7 +8,8 @@ namespace edgeshade::web {
 
 template <class Archive>
 void transfer(Archive& archive, Maybe<PackedPrimitiveMap> auto& map) {
-    archive(map.kind, map.mapFromWorld, map.size, map.longestList, map.begins, map.count);
+    archive(map.kind, map.mapFromWorld, map.size, map.longestList, map.begins, map.places,
+            map.sixteens, map.count);
 }
 
 template <class Archive>
@@ -26,7 +27,7 @@ namespace {
 /// The fields that both directions share.
 template <class Archive>
 void transferStart(Archive& archive, Maybe<LookupWork::Data> auto& data) {
-    archive(data.task.light, data.task.settings, data.task.why, data.held);
+    archive(data.task.light, data.task.settings, data.task.why, data.task.receivers, data.held);
 }
 
 constexpr std::size_t none = ~std::size_t{0};

@@ -172,6 +172,11 @@ export interface LookupOptions {
   cutouts?: boolean;
   /** Meshes tint the light as setTint() says, likewise. Default: false. */
   tints?: boolean;
+  /**
+   * Points of a light with a radius, 1 to 4096. Its map has to hold all casters: `restMs` is 0 then.
+   * Default: 64.
+   */
+  lightSamples?: number;
   /** Cancels the work. */
   signal?: AbortSignal;
 }
@@ -180,7 +185,8 @@ export interface LookupOptions {
 export interface LookupState {
   /**
    * The light and all of the lookup's casters are as they were when it was requested. Otherwise its
-   * shadows are wrong.
+   * shadows are wrong. A light with a radius may have no movers either, and a sun's receivers have to
+   * stay within reach.
    */
   holds: boolean;
   /** Casters that aren't in it: draw() counts them on top. */
@@ -207,6 +213,8 @@ export interface LightLookup {
   size: number;
   /** PREFIX_kind, a float. */
   kind: number;
+  /** PREFIX_places, a vec2, of a light with a radius: call PREFIX_litShare(). [0, 0]: it has none. */
+  places: number[];
   /**
    * Multiplied by worldFromView, in doubles, it is PREFIX_mapFromHost, a mat4, for positions in
    * view space.
@@ -228,9 +236,11 @@ export interface LightLookup {
  * enable GL_OES_standard_derivatives and define EDGESHADE_DERIVATIVES before it, or call
  * `PREFIX_litOn(position, towardsEye, normal, 16.0, casts)` with the triangle's own normal.
  * `cutouts`, `tints`: for maps with these LookupOptions, too; default: false. With `tints` there are
- * also PREFIX_litColor() and PREFIX_litColorOn(), which return the share of red, green and blue.
+ * also PREFIX_litColor() and PREFIX_litColorOn(), which return the share of red, green and blue. With
+ * `soft` there are also PREFIX_litShare() and PREFIX_litShareOn(), for maps of lights with a radius alone,
+ * which return the share of the light's points that reach the fragment; default: false.
  */
-export function lookupSource(prefix: string, options?: { cutouts?: boolean; tints?: boolean }): string;
+export function lookupSource(prefix: string, options?: { cutouts?: boolean; tints?: boolean; soft?: boolean }): string;
 
 /** All methods throw an Error whose message is a sentence. */
 export class ShadowMasks {
@@ -296,7 +306,12 @@ export class ShadowMasks {
   readonly cost: MaskCost;
 
   /**
-   * Has a worker build the map of a resting light without a radius, for the casters that rest now.
+   * A box in the world around surfaces that sample lookups of suns with a radius, and aren't added
+   * here. Numbers that aren't finite: there are none.
+   */
+  setReceivers(low: [number, number, number], high: [number, number, number]): void;
+  /**
+   * Has a worker build the map of a resting light, for the casters that rest now.
    * Resolves with a lookup's number, or null if `signal` cancelled it.
    */
   buildLookup(light: MaskLight, options?: LookupOptions): Promise<number | null>;

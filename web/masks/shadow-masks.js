@@ -207,6 +207,11 @@ export class ShadowMasks {
     };
   }
 
+  /** Sets a box around receivers that aren't added: see the declaration. */
+  setReceivers(low, high) {
+    this.#masks.setReceivers(...low, ...high);
+  }
+
   /** Has a worker build the map of a resting light, for the current casters. Resolves with the
    * lookup's id, or null if `signal` cancelled it. */
   buildLookup(light, options) {

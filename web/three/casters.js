@@ -148,6 +148,11 @@ export class Casters {
     return had.changed < since ? 2 : 1;
   }
 
+  /** Whether the engine has a mesh, with all of its parts. */
+  has(mesh) {
+    return (this.#parts.last(mesh) ?? [mesh]).every((part) => this.#meshes.get(part)?.ids.length > 0);
+  }
+
   /** Whether some meshes cast what their alpha leaves, where a light is looked up. */
   get cutsOut() {
     return this.#cutsOut;

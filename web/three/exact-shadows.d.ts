@@ -53,7 +53,7 @@ export interface LightShadow {
  * that are added later take part once they are (cost.pending). A light that has rested for half a
  * second is looked up once a worker has built its map of the casters that rest. Those that have moved
  * within half a second are counted on top, until they have rested for five seconds and another map
- * holds them. A caster in the map that starts to move ends it: the light has a mask until a map
+ * holds them. A light with a radius is looked up while no caster moves, nor cutouts or tints cast. A caster in the map that starts to move ends it: the light has a mask until a map
  * without that caster is ready.
  *
  * An alpha-tested surface (alphaTest, with the alpha of map or the green of alphaMap; with both,

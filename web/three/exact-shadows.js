@@ -10,6 +10,7 @@ import { MaskTextures } from './mask-textures.js';
 import { MaskViews } from './mask-views.js';
 import { MaterialPatches } from './material-patch.js';
 import { Progress } from './progress.js';
+import { boxAround } from './receiver-box.js';
 import { needsMask, RestingLights } from './resting-lights.js';
 import { castingLights } from './scene-lights.js';
 import { requireTransparentCast } from './see-through.js';
@@ -25,7 +26,7 @@ const firstMap = 1 + mostLights / 4;
 
 /** The uniforms of a slot's map. */
 const slotUniforms = (slot) => Object.fromEntries(Object.entries({
-  table: null, tableSize: new Vector3(), begins: new Vector2(), size: 1, kind: 0, mapFromHost: new Matrix4(),
+  table: null, tableSize: new Vector3(), begins: new Vector2(), size: 1, kind: 0, places: new Vector2(), mapFromHost: new Matrix4(),
 }).map(([name, value]) => [`${slotName(slot)}_${name}`, { value }]));
 
 /** A light's number in edgeshadeWays. */
@@ -91,6 +92,7 @@ export class ExactShadows extends EventTarget {
     edgeshadeWays: { value: new Int32Array(mostLights) },
     edgeshadeMasked: { value: 0 },
     edgeshadeMaps: { value: new Int32Array(mostSlots) },
+    edgeshadeSoftMaps: { value: new Int32Array(mostSlots) },
     ...Object.assign({}, ...Array.from({ length: mostSlots }, (_, slot) => slotUniforms(slot))),
   };
   #forget = () => {
@@ -331,7 +333,9 @@ export class ExactShadows extends EventTarget {
     if (!this.#lost) {
       this.#texels?.advance();
       this.#casters?.follow(meshes, this.alphaTestedCast, this.transparentCast);
-      this.#patches.lookFor({ cutouts: this.#casters?.cutsOut, tints: this.#casters?.tints });
+      const soft = this.#mostLookedUp > 0 ? lights.filter((light) => light.castShadow && this.#radii.get(light) > 0) : [];
+      this.#patches.lookFor({ cutouts: this.#casters?.cutsOut, tints: this.#casters?.tints, soft: soft.length > 0 });
+      if (soft.length > 0) this.#masks?.setReceivers(...boxAround(meshes.filter((mesh) => mesh.receiveShadow && !this.#casters?.has(mesh))));
     }
     const receiving = new Map(); // by material: the least castingOf() of its meshes
     const note = (material, casting) => material && receiving.set(material, Math.min(casting, receiving.get(material) ?? 2));
@@ -373,6 +377,7 @@ export class ExactShadows extends EventTarget {
   /** Returns for each light the map that it is looked up in, or null. */
   #followLights() {
     this.#resting.most = this.#patches.slots;
+    this.#resting.samples = this.lightSamples;
     this.#maps = this.#resting.follow(this.#lights, this.#isSettled);
     this.#lookedUp = this.#maps.filter(Boolean).length;
     if (this.#casters.cutsOut || this.#casters.tints) this.#warnOfLights();
@@ -384,7 +389,7 @@ export class ExactShadows extends EventTarget {
     const whys = this.notLookedUp, most = Math.min(this.#mostLookedUp, this.#patches.slots);
     for (const [i, { light, numbers }] of this.#lights.entries()) {
       if (this.#maps[i]) continue;
-      const why = whys.get(light) ?? (numbers.radius > 0 ? 'it has a radius' : this.#lookedUp >= most && `${most} lights are looked up at once`);
+      const why = numbers.radius > 0 ? 'it has a radius' : whys.get(light) ?? (this.#lookedUp >= most && `${most} lights are looked up at once`);
       if (why) this.#warnings.warn(light, `Light '${light.name}' lacks the shadows of cutouts and tints, as it is not looked up: ${why}.`);
     }
   }
@@ -395,18 +400,19 @@ export class ExactShadows extends EventTarget {
       const map = maps.find((one) => one?.slot === slot);
       this.#hideMap(slot);
       if (!map) continue;
-      this.#uniforms.edgeshadeMaps.value[slot] = 1;
+      this.#uniforms[map.places[1] > 0 ? 'edgeshadeSoftMaps' : 'edgeshadeMaps'].value[slot] = 1;
       of('table').value = this.#textures.at(firstMap + slot, map.texture);
       of('tableSize').value.fromArray(map.tableSize);
       of('begins').value.fromArray(map.begins);
       of('size').value = map.size;
       of('kind').value = map.kind;
+      of('places').value.fromArray(map.places);
     }
   }
 
   /** Materials let go of a map that is gone. */
   #hideMap(slot) {
-    this.#uniforms.edgeshadeMaps.value[slot] = 0;
+    this.#uniforms.edgeshadeMaps.value[slot] = this.#uniforms.edgeshadeSoftMaps.value[slot] = 0;
     this.#uniforms[`${slotName(slot)}_table`].value = null;
   }
 

@@ -18,10 +18,12 @@ const first = { point: '0', spot: counts.point, directional: `${counts.point} + 
 const all = Object.values(counts).join(' + ');
 
 /** A loop, since a branch doesn't keep software renderers from sampling a map that isn't there. */
-const askMap = (slot, tints) => /* glsl */`
+const askMap = (slot, { tints, soft }) => /* glsl */`
 	${slotName(slot)}_primitiveHolds = edgeshadeHeld;
 	for ( int i = 0; i < edgeshadeMaps[ ${slot} ]; i ++ )
 		edgeshadeLooked[ ${slot} ] = ${slotName(slot)}_lit${tints ? 'Color' : ''}On( position, towardsEye, normal, error, edgeshadeCasts )${tints ? '' : ' ? 1.0 : 0.0'};
+	${soft ? `for ( int i = 0; i < edgeshadeSoftMaps[ ${slot} ]; i ++ )
+		edgeshadeLooked[ ${slot} ] = edgeshadeShare( ${slotName(slot)}_litShareOn( position, towardsEye, normal, error, edgeshadeCasts ) );` : ''}
 `;
 
 /** The type of a light's share: with tints by colour. */
@@ -29,7 +31,8 @@ const kindOf = ({ tints }) => (tints ? 'vec3' : 'float');
 
 /** The lookups of maps, for as many slots as a material has room for. */
 const lookups = (slots, casters) => Array.from({ length: slots }, (_, slot) => lookupSource(slotName(slot), casters)).join('\n') + /* glsl */`
-uniform int edgeshadeMaps[ ${mostSlots} ]; // 1: there is one
+uniform int edgeshadeMaps[ ${mostSlots} ]; // 1: there is one, of a light without a radius
+uniform int edgeshadeSoftMaps[ ${mostSlots} ]; // 1: of a light with one
 uniform bool edgeshadeCasts; // all that the material is on
 uniform bool edgeshadeHeld;  // and maps hold them
 edgeshadeShare edgeshadeLooked[ ${mostSlots} ];
@@ -38,7 +41,7 @@ void edgeshadeAskMaps( const in highp vec3 position ) {
 	highp vec3 towardsEye = isOrthographic ? vec3( 0.0, 0.0, 1.0 ) : - position;
 	highp vec3 along = dFdx( position ), up = dFdy( position ), normal = cross( along, up );
 	highp float error = ${slots > 0 ? `${slotName(0)}_litError( position, along, up )` : '0.0'};
-	${Array.from({ length: slots }, (_, slot) => askMap(slot, casters.tints)).join('')}
+	${Array.from({ length: slots }, (_, slot) => askMap(slot, casters)).join('')}
 }
 `;
 

@@ -76,7 +76,7 @@ export class MaterialPatches {
   #most;
   #slots;
   #draws;
-  #casters = { cutouts: false, tints: false }; // that programs can look up
+  #casters = { cutouts: false, tints: false, soft: false }; // that programs can look up
 
   /** `uniforms`: for declarations(), in three.js's form, shared by all materials;
    * `mostTextures`: limit per program; `most`: lights' maps at once; `draws(camera)` is called
@@ -93,10 +93,14 @@ export class MaterialPatches {
     return this.#slots;
   }
 
-  /** From now on programs can look these casters up, too; new ones compile all programs again. */
-  lookFor({ cutouts, tints }) {
-    if ((!cutouts || this.#casters.cutouts) && (!tints || this.#casters.tints)) return;
-    this.#casters = { cutouts: Boolean(this.#casters.cutouts || cutouts), tints: Boolean(this.#casters.tints || tints) };
+  /**
+   * From now on programs can look these casters up, too, and with `soft` lights that have a radius; new
+   * ones compile all programs again.
+   */
+  lookFor(wanted) {
+    const more = Object.keys(this.#casters).filter((name) => wanted[name] && !this.#casters[name]);
+    if (!more.length) return;
+    this.#casters = { ...this.#casters, ...Object.fromEntries(more.map((name) => [name, true])) };
     for (const reference of this.#alive) {
       const material = reference.deref();
       if (material) material.needsUpdate = true;

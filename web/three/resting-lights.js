@@ -12,14 +12,14 @@ const longestRestMs = 80_000;
 /** Bytes uploaded in a step: some milliseconds. */
 const bytesAStep = 2 * 2 ** 20;
 
-/** Everything that the shadows of a light with a map depend on. */
-const keyOf = ({ kind, position, direction, radius }) => `${radius > 0} ${kind === 'directional' ? direction : position}`;
+/** Everything that the shadows of a light with a map depend on. `samples`: of one with a radius. */
+const keyOf = ({ kind, position, direction, radius }, samples) => `${radius > 0 ? `${radius} ${samples}` : 0} ${kind === 'directional' ? direction : position}`;
 
 /**
  * What is known of a light. `current`: its lookup {id, map, state}, or one that says why there is
- * none; `next`: one that is being uploaded, to take its place.
+ * none; `next`: one that is being uploaded, to take its place; `isSoft`: the light has a radius.
  */
-const entryOf = (key, since) => ({ key, since, restMs, current: null, next: null, abort: null, problem: '' });
+const entryOf = (key, since, isSoft) => ({ key, since, isSoft, restMs, current: null, next: null, abort: null, problem: '' });
 
 /** Whether a mask is drawn of a light: of all casters, or of those that move over its map. */
 export const needsMask = (map) => !map || map.movers > 0;
@@ -30,7 +30,9 @@ export class RestingLights {
   #touched;
   #entries = new Map(); // by three.js's light
   #restingState = -1;
+  #casterState = -1;
   #restingSince = 0;
+  #castersSince = 0; // since when all casters have rested
   #loads = false; // whether meshes were pending
 
   /**
@@ -42,6 +44,9 @@ export class RestingLights {
     this.#most = most;
     this.#touched = touched;
   }
+
+  /** Points of lights with a radius. */
+  samples = 64;
 
   /**
    * `lights`: {light: three.js's, numbers: MaskLight}, all casting ones. `settled`: no meshes are
@@ -63,15 +68,18 @@ export class RestingLights {
 
   /** A map that is being built would miss, or hold too long, what has just changed. */
   #followCasters(settled, now) {
-    const { restingState } = this.#masks;
-    const changed = restingState !== this.#restingState;
+    const { restingState, casterState } = this.#masks;
+    const changed = restingState !== this.#restingState, moved = casterState !== this.#casterState;
     this.#restingState = restingState;
+    this.#casterState = casterState;
     // Meshes that have been loaded are at rest.
-    if (changed) this.#restingSince = this.#loads ? now - restMs : now;
+    const since = this.#loads ? now - restMs : now;
+    if (changed) this.#restingSince = since;
+    if (moved) this.#castersSince = since;
     if (!settled) this.#restingSince = now;
     this.#loads = !settled;
-    if (!changed) return;
     for (const entry of this.#entries.values()) {
+      if (!changed && !(moved && entry.isSoft)) continue;
       entry.abort?.abort();
       entry.problem = '';
     }
@@ -85,21 +93,21 @@ export class RestingLights {
   /** Whether any of these lights may still get a map, or one of more casters. */
   isWaiting(lights) {
     const taken = [...this.#entries.values()].filter(({ current, next }) => current?.map ?? next).length;
-    return lights.some(({ light, numbers }) => {
+    return lights.some(({ light }) => {
       const { current, next, abort, problem } = this.#entries.get(light) ?? {};
       if (next || abort) return true;
-      if (problem || numbers.radius > 0 || this.#most < 1) return false;
+      if (problem || this.#most < 1) return false;
       if (current) return current.state?.movers > 0;
       return taken < this.#most;
     });
   }
 
   #followOne(light, numbers, now) {
-    const key = keyOf(numbers);
+    const key = keyOf(numbers, this.samples);
     const entry = this.#entries.get(light);
     if (entry?.key !== key) {
       if (entry) this.#drop(light, entry);
-      this.#entries.set(light, entryOf(key, now));
+      this.#entries.set(light, entryOf(key, now, numbers.radius > 0));
       return;
     }
     for (const which of ['current', 'next']) {
@@ -114,14 +122,14 @@ export class RestingLights {
   }
 
   /** Why no map is begun of a light now; '': one can be. */
-  #obstacle({ since, current, next, problem }, { radius }, now) {
+  #obstacle({ since, current, next, problem, isSoft }, now) {
     if (this.#most < 1) return 'lookups is 0, or its materials have no texture left for a map';
-    if (radius > 0) return 'it has a radius';
     if (problem) return problem;
     if (current?.why && !current.state.rested) return current.why;
     if (next) return 'its map is being uploaded';
     if (now - since < restMs) return 'it has moved within half a second';
     if (now - this.#restingSince < restMs) return 'casters have come, gone or started to move within half a second';
+    if (isSoft && now - this.#castersSince < restMs) return 'it has a radius, and casters have moved within half a second';
     if (current && !current.state.rested) return 'its map is built';
     const others = [...this.#entries.values()].filter((entry) => entry.current?.map ?? entry.next);
     return !current?.map && others.length >= this.#most ? `${this.#most} other lights are looked up` : '';
@@ -131,7 +139,7 @@ export class RestingLights {
   #beginOne(lights, now) {
     for (const { light, numbers } of lights) {
       const entry = this.#entries.get(light);
-      entry.obstacle = this.#obstacle(entry, numbers, now);
+      entry.obstacle = this.#obstacle(entry, now);
       if (entry.obstacle || lights.some((other) => this.#entries.get(other.light).abort)) continue;
       this.#begin(light, numbers, entry);
     }
@@ -140,9 +148,9 @@ export class RestingLights {
   async #begin(light, numbers, entry) {
     const abort = new AbortController();
     entry.abort = abort;
-    const since = performance.now() - entry.restMs;
+    const rest = entry.isSoft ? 0 : entry.restMs, since = performance.now() - rest;
     try {
-      const id = await this.#masks.buildLookup(numbers, { cutouts: true, tints: true, signal: abort.signal, restMs: entry.restMs });
+      const id = await this.#masks.buildLookup(numbers, { cutouts: true, tints: true, signal: abort.signal, restMs: rest, lightSamples: this.samples });
       if (id === null) return;
       if (this.#entries.get(light) === entry && !abort.signal.aborted) entry.next = { id, since };
       else this.#masks.removeLookup(id);

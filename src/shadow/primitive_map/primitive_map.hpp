@@ -3,6 +3,7 @@
 #include "src/shadow/primitive_map/cutouts.hpp"
 #include "src/shadow/primitive_map/light_tiles.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -25,6 +26,15 @@ struct PrimitiveMapSettings {
     CutoutTextures cutouts; ///< textures of casting alpha-tested triangles; empty if none of them
                             ///< cast
 };
+
+/// Places of a light with an extent that primitive_map_points.glsl counts at once.
+inline constexpr std::size_t placesAtOnce = 16;
+
+/// PrimitiveMapSettings::size for a light with an extent: the region between a texel and such a
+/// light shrinks little with the texel.
+inline int sizeForExtents(int size) {
+    return std::max(4, size / 2);
+}
 
 /// Lists, by a light's rays, of the triangles that may shade what it sees (docs/method.md, C34);
 /// read by primitive_map_lookup.glsl. All three arrays become textures of floats in rows of

@@ -61,6 +61,14 @@ export const sunHours = ({ sun: { place, time, north }, camera: { from, to, fov 
   };
 });
 
+/** Points of a light, [x, y, z, w], that stand for its extent; `light`: options of `render`. */
+export const pointsOfLight = (light, samples) => inFolder((folder) => {
+  const report = join(folder, 'report.json');
+  execFileSync(program, ['render', join(repository, 'assets/pavilion.glb'), join(folder, 'mask.png'), '--mask', '--size', '16x9',
+    ...light, '--light-samples', `${samples}`, '--report', report], { stdio: 'pipe', timeout: 60000 });
+  return JSON.parse(readFileSync(report, 'utf8')).light_samples;
+});
+
 /** Views of the sample: each with an eye, lights, the number of pixels that may differ away from
  * outlines (`astray`) and their share of all (`share`), if these differ from the usual. */
 export const views = [

@@ -35,13 +35,13 @@ export async function inNativeGl(shared, context, act, given = {}, release = und
 }
 
 /**
- * Runs `act(page, foliage, given)` in a page with three.js, with foliage.js and tint-rays.js; returns
+ * Runs `act(page, foliage, given)` in a page with three.js, with foliage.js, tint-rays.js and soft-rays.js; returns
  * its result, and the page's reports, of which `allowed` patterns are expected.
  */
 export async function inFoliage(shared, act, { release, allowed, given } = {}) {
   const page = await openThree(shared, release);
   const told = await page.evaluate(async ([text, value]) => {
-    const foliage = { ...await import('/tests/foliage.js'), ...await import('/tests/tint-rays.js') };
+    const foliage = { ...await import('/tests/foliage.js'), ...await import('/tests/tint-rays.js'), ...await import('/tests/soft-rays.js') };
     return (0, eval)(`(${text})`)(window.page, foliage, value);
   }, [act.toString(), given]);
   const { reports } = page;
