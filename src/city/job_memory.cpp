@@ -8,12 +8,12 @@ namespace {
 /// The program, its libraries and a block of rays.
 constexpr std::uint64_t base = std::uint64_t{128} << 20;
 constexpr std::uint64_t bytesOfCell = 32;
-/// Of a triangle that casts: in the tile, in the scene, as a ray's candidate, in the tree.
+/// A triangle that casts: in the tile, in the scene, as a ray's candidate, in the tree.
 constexpr std::uint64_t bytesOfCaster = 640;
-/// Of a triangle of the source that is being read.
+/// A triangle of the source that is being read.
 constexpr std::uint64_t bytesOfRead = 256;
 
-/// Of a byte of the file, while it is read: itself, and what a parser makes of it.
+/// Bytes for each byte of a file while it is read: itself, and what a parser makes of it.
 std::uint64_t parsingOf(SourceKind kind) {
     switch (kind) {
     case SourceKind::cityJson:

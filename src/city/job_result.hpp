@@ -15,7 +15,7 @@ struct ResultObject {
     bool isBuilding = false;
 };
 
-/// What a job found, cell by cell, row by row from the south.
+/// The findings of a job, cell by cell, row by row from the south.
 struct JobResult {
     std::string plan;    ///< the hash of the plan's file
     std::size_t job = 0; ///< from 1

@@ -9,6 +9,7 @@
 #include "tests/support/temp_folder.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace edgeshade::city {
 namespace {
@@ -37,9 +38,9 @@ PlanChoice choiceOf(std::size_t tiles = 1) {
 }
 
 /// Plans in a folder, and counts what the plan's jobs do.
-class Run {
+class CityRun {
   public:
-    Run(const fs::path& input, const PlanChoice& choice, const std::string& name)
+    CityRun(const fs::path& input, const PlanChoice& choice, const std::string& name)
         : results_(folder_ / name) {
         std::vector<std::string> warnings;
         Plan plan = planOf(
@@ -72,7 +73,7 @@ class Run {
 };
 
 CityMap mapOfFolder(const fs::path& input, const PlanChoice& choice) {
-    return Run(input, choice, "jobs").map();
+    return CityRun(input, choice, "jobs").map();
 }
 
 std::size_t surfacesOf(const CityMap& map) {
@@ -85,7 +86,7 @@ TEST_P(CityTiles, GiveTheBytesOfTheWhole) {
     const auto [seed, hills] = GetParam();
     const test::TempFolder folder;
     cityOf(seed, hills).writeCityJson(folder.path());
-    const Run whole(folder.path(), choiceOf(), "whole"),
+    const CityRun whole(folder.path(), choiceOf(), "whole"),
         tiles(folder.path(), choiceOf(16), "tiles");
     EXPECT_EQ(whole.jobs(), 1u);
     EXPECT_GE(tiles.jobs(), 16u);
@@ -128,7 +129,7 @@ TEST(City, IsTheSameInEveryFormat) {
 TEST(City, ResultsDependOnNothingElse) {
     const test::TempFolder folder;
     cityOf(5, 10.0).writeGltf(folder.path());
-    const Run run(folder.path(), choiceOf(4), "jobs");
+    const CityRun run(folder.path(), choiceOf(4), "jobs");
     EXPECT_EQ(run.resultOf(2, {1}), run.resultOf(2, {3}));
 }
 
@@ -137,16 +138,16 @@ TEST(City, MemoryDividesTargets) {
     GeneratedCity city = cityOf(6, 0.0);
     city.writeCityJson(folder.path());
     PlanChoice choice = choiceOf();
-    const Run wide(folder.path(), choice, "wide");
+    const CityRun wide(folder.path(), choice, "wide");
     choice.memory = wide.plan().jobs.front().memory - 1;
-    const Run narrow(folder.path(), choice, "narrow");
+    const CityRun narrow(folder.path(), choice, "narrow");
     EXPECT_GT(narrow.jobs(), 1u);
     for (const Job& job : narrow.plan().jobs)
         EXPECT_LE(job.memory, choice.memory);
     EXPECT_EQ(wide.map().lit, narrow.map().lit);
     choice.memory = 1 << 20;
     try {
-        Run(folder.path(), choice, "none");
+        CityRun(folder.path(), choice, "none");
         ADD_FAILURE() << "a megabyte sufficed";
     } catch (const Error& error) {
         EXPECT_EQ(error.status(), ExitStatus::unavailable);
@@ -160,32 +161,42 @@ TEST(City, AutoPlaceIsTheTilesOwn) {
     PlanChoice choice = choiceOf();
     choice.placeFromSources = true;
     // 691328 east, 5334144 north in UTM zone 32 is in Munich; the grid's north is 1.9 degrees off.
-    const hours::Schedule projected = Run(cityJson.path(), choice, "p").plan().schedule;
+    const hours::Schedule projected = CityRun(cityJson.path(), choice, "p").plan().schedule;
     EXPECT_NEAR(projected.place.latitude, 48.13, 0.02);
     EXPECT_NEAR(projected.place.longitude, 11.57, 0.02);
     EXPECT_NEAR(projected.north, -1.915, 0.02);
-    const hours::Schedule earth = Run(tiles.path(), choice, "e").plan().schedule;
+    const hours::Schedule earth = CityRun(tiles.path(), choice, "e").plan().schedule;
     EXPECT_NEAR(earth.place.latitude, munich.latitude, 1e-9);
     EXPECT_NEAR(earth.place.longitude, munich.longitude, 1e-9);
 }
 
-TEST(City, RastersSideBySideCloseTheirSeam) {
-    const test::TempFolder folder;
+TEST(City, RastersReachTheirEdges) {
     const GeneratedCity city = cityOf(7, 20.0);
-    city.writeRaster(folder.path(), 2.0);
-    PlanChoice choice = choiceOf();
-    const CityMap whole = mapOfFolder(folder.path(), choice);
-    choice.tiles = 16;
-    EXPECT_EQ(mapOfFolder(folder.path(), choice).lit, whole.lit);
+    const auto mapInParts = [&](unsigned parts, std::size_t tiles) {
+        const test::TempFolder folder;
+        city.writeRaster(folder.path(), 4.0, parts);
+        PlanChoice choice = choiceOf(tiles);
+        choice.grid = 4.0;
+        return mapOfFolder(folder.path(), choice);
+    };
+    const CityMap whole = mapInParts(1, 1), halves = mapInParts(2, 1);
     EXPECT_EQ(surfacesOf(whole), whole.lit.size());
+    EXPECT_EQ(mapInParts(1, 16).lit, whole.lit);
+    EXPECT_EQ(mapInParts(2, 16).lit, halves.lit);
+    // Halves differ near their seam alone, where the surface ends with half a pixel.
+    ASSERT_EQ(halves.lit.size(), whole.lit.size());
+    std::size_t others = 0;
+    for (std::size_t cell = 0; cell < whole.lit.size(); ++cell)
+        others += std::abs(halves.lit[cell] - whole.lit[cell]) > 1;
+    EXPECT_LT(others, whole.lit.size() / 50);
 }
 
 TEST(CityFaults, AreOneSentence) {
     const test::TempFolder folder;
     const GeneratedCity city = cityOf(8, 0.0);
     city.writeCityJson(folder.path());
-    const auto plan = [&] { Run(folder.path(), choiceOf(4), "jobs"); };
-    const Run run(folder.path(), choiceOf(4), "jobs");
+    const auto plan = [&] { CityRun(folder.path(), choiceOf(4), "jobs"); };
+    const CityRun run(folder.path(), choiceOf(4), "jobs");
     // A job is missing, or of another plan.
     test::expectInputError([&] { run.joined(); }, {"Job 1 of 4 has no result"});
     run.map();
@@ -213,14 +224,15 @@ TEST(CityFaults, AreOneSentence) {
     test::expectInputError(plan, {"tile-0-0.city.json", "is not valid JSON"});
     const test::TempFolder rasters;
     city.writeRaster(rasters.path(), 4.0);
-    fs::copy_file(rasters / "surface.tif", rasters / "twin.tif");
-    test::expectInputError([&] { Run(rasters.path(), choiceOf(), "jobs"); },
-                           {"twin.tif", "overlaps", "surface.tif"});
-    const Bytes raster = readFile(rasters / "surface.tif");
+    fs::copy_file(rasters / "surface-1.tif", rasters / "twin.tif");
+    test::expectInputError([&] { CityRun(rasters.path(), choiceOf(), "jobs"); },
+                           {"twin.tif", "overlaps", "surface-1.tif"});
+    const Bytes raster = readFile(rasters / "surface-1.tif");
     writeFile(rasters / "twin.tif", std::span(raster).first(4000));
-    test::expectInputError([&] { Run(rasters.path(), choiceOf(), "jobs"); }, {"twin.tif", "TIFF"});
+    test::expectInputError([&] { CityRun(rasters.path(), choiceOf(), "jobs"); },
+                           {"twin.tif", "TIFF"});
     const test::TempFolder empty;
-    test::expectInputError([&] { Run(empty.path(), choiceOf(), "jobs"); }, {"has no tile"});
+    test::expectInputError([&] { CityRun(empty.path(), choiceOf(), "jobs"); }, {"has no tile"});
 }
 
 TEST(CityFaults, OfTilesetsAreOneSentence) {
@@ -229,7 +241,7 @@ TEST(CityFaults, OfTilesetsAreOneSentence) {
         folder.write("tileset.json", R"({"asset": {"version": "1.1"}, "root": {"boundingVolume": )"
                                      R"({"sphere": [0, 0, 0, 9]}, "geometricError": 0, )" +
                                          root + "}}");
-        test::expectInputError([&] { Run(folder.path(), choiceOf(), "jobs"); }, words);
+        test::expectInputError([&] { CityRun(folder.path(), choiceOf(), "jobs"); }, words);
     };
     expect(R"("implicitTiling": {}, "content": {"uri": "a.glb"})",
            {"root.implicitTiling", "implicit tiling is not read"});
@@ -245,7 +257,7 @@ TEST(CityFaults, OfTilesetsAreOneSentence) {
 TEST(City, WritesHoursIntoCityJson) {
     const test::TempFolder folder;
     cityOf(9, 0.0).writeCityJson(folder.path());
-    const Run run(folder.path(), choiceOf(), "jobs");
+    const CityRun run(folder.path(), choiceOf(), "jobs");
     const CityMap map = run.map();
     const auto json = nlohmann::json::parse(cityJsonWithHours(map, run.plan(), 0));
     const double hours = json["CityObjects"]["house-0-0"]["attributes"]["+sun-hours"].get<double>();

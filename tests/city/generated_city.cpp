@@ -462,7 +462,7 @@ void GeneratedCity::writeTileset(const fs::path& folder, const sun::Place& place
     writeFile(folder / "tileset.json", std::string_view(json.dump()));
 }
 
-void GeneratedCity::writeRaster(const fs::path& folder, double pixel) const {
+void GeneratedCity::writeRaster(const fs::path& folder, double pixel, unsigned parts) const {
     const auto count = static_cast<unsigned>(std::lround(side() / pixel));
     std::vector<float> heights(std::size_t{count} * count, -1e9f);
     forEachTile(*this, [&](int tileX, int tileY) {
@@ -487,8 +487,16 @@ void GeneratedCity::writeRaster(const fs::path& folder, double pixel) const {
                             }
                 }
     });
-    writeFile(folder / "surface.tif",
-              tiffOf(heights, count, count, pixel, corner.x, corner.y + side()));
+    const unsigned width = count / parts;
+    for (unsigned part = 0; part < parts; ++part) {
+        std::vector<float> own;
+        for (unsigned row = 0; row < count; ++row)
+            for (unsigned column = 0; column < width; ++column)
+                own.push_back(heights[std::size_t{row} * count + part * width + column]);
+        writeFile(
+            folder / ("surface-" + std::to_string(part + 1) + ".tif"),
+            tiffOf(own, width, count, pixel, corner.x + part * width * pixel, corner.y + side()));
+    }
 }
 
 std::size_t GeneratedCity::triangles() const {

@@ -32,8 +32,9 @@ struct GeneratedCity {
     /// 3D Tiles: a tileset.json, and tiles as .glb, or .b3dm where X + Y is odd. The city's corner
     /// is at `place`.
     void writeTileset(const std::filesystem::path& folder, const sun::Place& place) const;
-    /// The highest surfaces as a GeoTIFF, surface.tif, of pixels of that width.
-    void writeRaster(const std::filesystem::path& folder, double pixel) const;
+    /// The highest surfaces as GeoTIFFs of pixels of that width: surface-K.tif, from west to east,
+    /// K from 1 to `parts`, which divides the pixels of a row.
+    void writeRaster(const std::filesystem::path& folder, double pixel, unsigned parts = 1) const;
 
     std::size_t triangles() const; ///< of glTF, all tiles
 };

@@ -25,7 +25,7 @@ TEST(TopSurface, IsTheHighest) {
 TEST(TopSurface, OneUnitOfHeightDecides) {
     // Two slopes whose heights over the middle differ by less than a thousandth of a unit.
     const double far = 4096.0;
-    const CityTriangle low = triangle({-far, -far, 0}, {far, -far, 1.0}, {0, far, latticeUnit});
+    const CityTriangle low = triangle({-far, -far, 0}, {far, -far, 1.0}, {0.5, far, latticeUnit});
     CityTriangle high = low;
     high.corners[0].z += latticeUnit;
     for (const bool swapped : {false, true}) {
