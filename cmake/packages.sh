@@ -5,7 +5,7 @@ say() { printf '\033[1m==>\033[0m %s\n' "$*" >&2; }
 build_packages=(
     g++ cmake ninja-build libglfw3-dev libglm-dev libtinygltf-dev libstb-dev nlohmann-json3-dev
     libdraco-dev libmeshoptimizer-dev liberfa-dev libwebp-dev libcli11-dev libegl-dev libgles-dev libglu1-mesa-dev
-    libembree-dev libboost-dev libcairo2-dev libegl1 libegl-mesa0 libgles2 libgl1-mesa-dri
+    libembree-dev libgeotiff-dev libtiff-dev libproj-dev proj-data libboost-dev libcairo2-dev libegl1 libegl-mesa0 libgles2 libgl1-mesa-dri
 )
 package_tools=(dpkg-dev) # finds the libraries that a Debian package needs
 test_packages=(python3 libgtest-dev librapidcheck-dev libnova-dev clang clang-format xvfb xdotool libx11-dev valgrind

@@ -21,7 +21,7 @@ ROOMS = (
     "src/shadow/geometry", "src/shadow/lights", "src/shadow/silhouette", "src/shadow/layers", "src/shadow/view",
     "src/shadow/primitive_map", "src/shadow/plan", "src/shadow/irregular", "src/rays", "src/policy", "src/settings",
     "preprocess/gltf", "preprocess/reading", "preprocess/packing",
-    "src/image", "src/hours", "src/hours/surfaces", "src/environment", "src/gl", "src/scene", "src/render/drawing", "src/render/timing", "src/render/technique",
+    "src/image", "src/hours", "src/hours/surfaces", "src/city", "src/environment", "src/gl", "src/scene", "src/render/drawing", "src/render/timing", "src/render/technique",
     "src/render/shadow_map", "src/render/lookup", "src/render/volumes", "src/render/irregular", "src/render/frame", "src/render/accumulation",
     "src/engine", "src/rivals/published", "src/rivals/brute_force", "src/rivals/planar", "src/rivals/maps", "src/rivals", "src/lab", "src/bench", "src/plot",
     "src/viewer", "src/desktop", "src/cli", "web")

@@ -13,6 +13,9 @@ void addBenchCommand(CLI::App& program);
 void addTradeoffCommand(CLI::App& program);
 void addSunHoursCommand(CLI::App& program);
 void addSunHoursMergeCommand(CLI::App& program);
+void addCityPlanCommand(CLI::App& program);
+void addCityRunCommand(CLI::App& program);
+void addCityMergeCommand(CLI::App& program);
 void addViewCommand(CLI::App& program);
 
 } // namespace edgeshade::cli

@@ -28,6 +28,10 @@ constexpr std::array examples{
     Example{"sunhours", "town.glb hours.png --place 48.1,11.6 --date 2026-03-20 --plan",
             "Hours of sunlight"},
     Example{"sunhours-merge", "hours.png part1.png part2.png"},
+    Example{"city-plan", "tiles --place auto --date 2026-03-20 --grid 1 -o plan.json",
+            "Hours of sunlight"},
+    Example{"city-run", "plan.json --job 1"},
+    Example{"city-merge", "plan.json -o map"},
     Example{"view", "house.glb --place 48.1,11.6 --time-of-day 2026-06-21T14:30+02:00"},
 };
 

@@ -5,6 +5,8 @@
 #include <csignal>
 #include <iostream>
 #include <new>
+#include <string_view>
+#include <vector>
 
 namespace {
 
@@ -27,8 +29,8 @@ std::string verbsOf(const CLI::App& program) {
 
 /// Throws if the first word is neither a verb nor an option; CLI11 would say only that one is
 /// missing.
-void requireKnownVerb(const CLI::App& program, int argc, char** argv) {
-    const std::string word = argc > 1 ? argv[1] : "";
+void requireKnownVerb(const CLI::App& program, const std::vector<const char*>& words) {
+    const std::string word = words.size() > 1 ? words[1] : "";
     if (word.starts_with('-')) return;
     for (const CLI::App* verb : program.get_subcommands(nullptr))
         if (verb->get_name() == word) return;
@@ -37,12 +39,29 @@ void requireKnownVerb(const CLI::App& program, int argc, char** argv) {
                                "; the verbs are " + verbsOf(program) + ".");
 }
 
+/// "city plan" as the verb city-plan. Throws if another word follows "city".
+std::vector<const char*> withCityVerb(int argc, char** argv) {
+    std::vector<const char*> words(argv, argv + argc);
+    if (argc < 2 || words[1] != std::string_view("city")) return words;
+    const std::string second = argc > 2 ? argv[2] : "";
+    for (const char* verb : {"city-plan", "city-run", "city-merge"})
+        if ("city-" + second == verb) {
+            words.erase(words.begin() + 1);
+            words[1] = verb;
+            return words;
+        }
+    throw edgeshade::Error(ExitStatus::usage, "city: '" + second +
+                                                  "' is not what it does, which is plan, run or "
+                                                  "merge.");
+}
+
 int run(int argc, char** argv) {
     const std::unique_ptr<CLI::App> owned = edgeshade::cli::makeProgram();
     CLI::App& program = *owned;
-    requireKnownVerb(program, argc, argv);
+    const std::vector<const char*> words = withCityVerb(argc, argv);
+    requireKnownVerb(program, words);
     try {
-        program.parse(argc, argv);
+        program.parse(static_cast<int>(words.size()), words.data());
     } catch (const CLI::ExtrasError& error) {
         const std::vector<CLI::App*> typed = program.get_subcommands();
         throw edgeshade::Error(ExitStatus::usage,

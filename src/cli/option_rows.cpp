@@ -11,7 +11,8 @@ namespace {
 
 // Verbs, in the order of verbNames, and those that draw, have lights, show a scene, read a file.
 constexpr Verbs pack = 1, info = 2, render = 4, compare = 8, bench = 16, tradeoff = 32,
-                sunhours = 64, merge = 128, view = 256;
+                sunhours = 64, merge = 128, view = 256, cityPlan = 512, cityRun = 1024,
+                cityMerge = 2048;
 constexpr Verbs draws = render | compare | bench | view, lit = draws | tradeoff,
                 sees = lit | sunhours, reads = sees | pack | info, all = reads | merge;
 
@@ -144,11 +145,16 @@ const std::vector<Option> lights = {
      "Place for a sun by place and time: degrees north and east",
      "It is the first light. Below the horizon it lights nothing."},
     {"--place LAT,LON", "", usual(sunhours), "Place of the scene: degrees north and east"},
+    {"--place LAT,LON|auto", "=auto", usual(cityPlan), "Place of the city: degrees north and east",
+     "auto: by the tiles' EPSG code or the earth-centred axes of 3D Tiles, with true north."},
     {"--time-of-day TIME", "", Where(lit, render | view),
      "Time for that sun, for example 2026-06-21T14:30+02:00",
      "It has the clock's offset from UTC; years are 1900 to 2100."},
     {"--north DEG", from(-360.0, 360.0), "=0", Where(lit | sunhours, view | sunhours),
-     "Direction of north, in degrees clockwise from -Z, seen from above"}};
+     "Direction of north, in degrees clockwise from -Z, seen from above"},
+    {"--north DEG", from(-360.0, 360.0), "=0", cityPlan,
+     "Direction of north, in degrees clockwise from the coordinates' own north",
+     "With --place auto the coordinate system says it."}};
 
 constexpr const char* methods =
     "volumes: counted in the stencil. lookup (or primitive-map): exact lookups for lights at rest. "
@@ -206,18 +212,21 @@ const std::vector<Option> meshes = {
      "shared: once. repeated: again for each place. auto: once where that pays."}};
 
 const std::vector<Option> sunlight = {
-    {"--date DATE", "", usual(sunhours), "The day, for example 2026-03-21"},
-    {"--from DATE", "", usual(sunhours), "First of several days"},
-    {"--to DATE", "", usual(sunhours), "Last of several days"},
-    {"--step MIN", whole(1, 1440), "=10", Where(sunhours | view, sunhours),
+    {"--date DATE", "", usual(sunhours | cityPlan), "The day, for example 2026-03-21"},
+    {"--from DATE", "", usual(sunhours | cityPlan), "First of several days"},
+    {"--to DATE", "", usual(sunhours | cityPlan), "Last of several days"},
+    {"--step MIN", whole(1, 1440), "=10", Where(sunhours | view | cityPlan, sunhours | cityPlan),
      "Minutes that each sun position stands for",
      "They divide the hours that count; positions are in their middle."},
     {"--hours A-B", "0-24", usual(sunhours),
      "Hours of the clock that count, for example 9-17 or 9:30-17"},
-    {"--utc-offset +HH:MM", "whole hours, by longitude", usual(sunhours),
+    {"--utc-offset +HH:MM", "whole hours, by longitude", usual(sunhours | cityPlan),
      "The clock's offset from UTC, with summer time"},
     {"--min-altitude DEG", from(0.0, 90.0), "0; 6 with a preset of DIN 5034-1", sunhours,
      "Altitude from which the sun counts, in degrees"},
+    {"--min-altitude DEG", from(0.0, 90.0), "=5", usual(cityPlan),
+     "Altitude from which the sun counts, in degrees",
+     "A lower one takes a wider halo of tiles around each target."},
     {"--threshold H", from(0.0, 24.0), "", usual(sunhours),
      "Report the area that gets at least so many hours per day"},
     {"--preset NAME", presets(), "", usual(sunhours), "Threshold and date of a recommendation",
@@ -236,6 +245,20 @@ const std::vector<Option> sunlight = {
      "OUT is one or more files. .glb: the cells as a coloured mesh. .csv: a table of cells. .npy: "
      "a packed bit for each cell and sun position."},
     {"--grid D", above(0.0), "=0.5", usual(sunhours), "Greatest width of a cell, in metres"},
+    {"--grid D", from(0.01, 100.0), "=1", usual(cityPlan), "Width of a cell, in metres"},
+    {"--lod N", from(0.0, 10.0), "the highest", usual(cityPlan),
+     "Greatest level of detail of CityJSON, for example 2.2",
+     "Each object has the highest that isn't above it."},
+    {"--memory BYTES", bytes(), "=4G", usual(cityPlan), "Memory that a job may take, by estimate",
+     "Targets are divided until they fit. K, M and G are powers of 1024."},
+    {"--tiles N", whole(1, 1000000), "=1", usual(cityPlan), "Least number of targets",
+     "Targets are squares of a power of two of cells, at least 16."},
+    {"--job K", whole(1, 1e9), "", usual(cityRun), "Number of the job, from 1"},
+    {"-o FILE", "", usual(cityPlan), "The plan to write, .json"},
+    {"-o FOLDER", "PLAN.jobs", usual(cityRun), "Folder of results"},
+    {"-o FOLDER", "", usual(cityMerge),
+     "Folder to write hours.tif, objects.csv, preview.png and report.json into",
+     "CityJSON sources come with the hours of their objects, as hours-NAME."},
     {"--offset D", from(0.0), "=0", sunhours, "Distance of sensors from their surfaces, in metres",
      "0: on them, where a surface's own plane blocks nothing."},
     {"--unit M", above(0.0), "=1", sunhours, "Metres that a scene unit is"},

@@ -55,8 +55,9 @@ Values valuesOf(const Domain& domain) {
 /// Verbs, a bit each, in the order of verbNames.
 using Verbs = unsigned;
 
-inline constexpr std::string_view verbNames[] = {
-    "pack", "info", "render", "compare", "bench", "tradeoff", "sunhours", "sunhours-merge", "view"};
+inline constexpr std::string_view verbNames[] = {"pack",  "info",      "render",   "compare",
+                                                 "bench", "tradeoff",  "sunhours", "sunhours-merge",
+                                                 "view",  "city-plan", "city-run", "city-merge"};
 
 /// The bit of a verb. Throws std::logic_error for any other name.
 Verbs verbOf(std::string_view name);

@@ -34,6 +34,9 @@ std::unique_ptr<CLI::App> makeProgram() {
     addTradeoffCommand(*program);
     addSunHoursCommand(*program);
     addSunHoursMergeCommand(*program);
+    addCityPlanCommand(*program);
+    addCityRunCommand(*program);
+    addCityMergeCommand(*program);
     addViewCommand(*program);
     setHelp(*program);
     return program;

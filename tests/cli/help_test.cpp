@@ -20,13 +20,15 @@ void expectHelp(const std::vector<std::string>& arguments, const std::string& wo
 } // namespace
 
 TEST(Help, TheProgramNamesItsVerbsAndStatuses) {
-    for (const char* word : {"pack", "info", "render", "compare", "bench", "tradeoff", "sunhours",
-                             "sunhours-merge", "view", "Exit status"})
+    for (const char* word :
+         {"pack", "info", "render", "compare", "bench", "tradeoff", "sunhours", "sunhours-merge",
+          "city-plan", "city-run", "city-merge", "view", "Exit status"})
         expectHelp({"--help"}, word);
 }
 
-constexpr std::array verbs{"pack",     "info",     "render",         "compare", "bench",
-                           "tradeoff", "sunhours", "sunhours-merge", "view"};
+constexpr std::array verbs{"pack",      "info",     "render",     "compare",
+                           "bench",     "tradeoff", "sunhours",   "sunhours-merge",
+                           "city-plan", "city-run", "city-merge", "view"};
 
 TEST(Help, FitsAScreen) {
     for (const char* verb : verbs) {

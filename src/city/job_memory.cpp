@@ -1,0 +1,44 @@
+#include "src/city/job_memory.hpp"
+
+#include <algorithm>
+
+namespace edgeshade::city {
+namespace {
+
+/// The program, its libraries and a block of rays.
+constexpr std::uint64_t base = std::uint64_t{128} << 20;
+constexpr std::uint64_t bytesOfCell = 32;
+/// A triangle that casts: in the tile, in the scene, as a ray's candidate, in the tree.
+constexpr std::uint64_t bytesOfCaster = 640;
+/// A triangle of the source that is being read.
+constexpr std::uint64_t bytesOfRead = 256;
+
+/// Bytes for each byte of a file while it is read: itself, and what a parser makes of it.
+std::uint64_t parsingOf(SourceKind kind) {
+    switch (kind) {
+    case SourceKind::cityJson:
+        return 20;
+    case SourceKind::cityJsonSequence:
+    case SourceKind::raster:
+        return 3;
+    case SourceKind::gltf:
+    case SourceKind::b3dm:
+        break;
+    }
+    return 8;
+}
+
+} // namespace
+
+std::uint64_t memoryOf(const Job& job, const std::vector<PlannedSource>& sources) {
+    std::uint64_t triangles = 0, reading = 0;
+    for (const std::size_t number : job.sources) {
+        const PlannedSource& source = sources[number];
+        triangles += source.triangles;
+        reading = std::max(reading, source.bytes * parsingOf(source.source.kind) +
+                                        source.triangles * bytesOfRead);
+    }
+    return base + bytesOfCell * job.cells.count() + bytesOfCaster * triangles + reading;
+}
+
+} // namespace edgeshade::city

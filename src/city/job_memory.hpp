@@ -1,0 +1,12 @@
+#pragma once
+
+#include "src/city/plan.hpp"
+
+namespace edgeshade::city {
+
+/// Bytes that a job takes at most: of the largest source while it is read, or of rays to all
+/// triangles of its sources, and of its cells. docs/measured/city.md compares it with what jobs
+/// took.
+std::uint64_t memoryOf(const Job& job, const std::vector<PlannedSource>& sources);
+
+} // namespace edgeshade::city

@@ -1,0 +1,144 @@
+#include "src/city/job_result.hpp"
+
+#include "preprocess/gltf/json_field.hpp"
+#include "src/city/top_surface.hpp"
+#include "src/image/zlib.hpp"
+
+#include <bit>
+#include <cmath>
+
+namespace edgeshade::city {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::uint64_t version = 1;
+constexpr const char* versionKey = "edgeshade_city_job";
+/// Bytes of one cell: lit, height, object, kind.
+constexpr std::size_t bytesOfCell = 2 + 4 + 4 + 1;
+constexpr std::uint64_t mostCells = std::uint64_t{1} << 26;
+
+template <class Number>
+void append(Bytes& bytes, Number number) {
+    for (std::size_t b = 0; b < sizeof(Number); ++b)
+        bytes.push_back(static_cast<std::uint8_t>(number >> 8 * b));
+}
+
+/// Takes numbers from the front of bytes.
+class Taking {
+  public:
+    explicit Taking(const Bytes& bytes) : bytes_(bytes) {}
+    std::uint32_t take(std::size_t size) {
+        std::uint32_t number = 0;
+        for (std::size_t b = 0; b < size; ++b)
+            number |= std::uint32_t{bytes_[at_++]} << 8 * b;
+        return number;
+    }
+
+  private:
+    const Bytes& bytes_;
+    std::size_t at_ = 0;
+};
+
+JobResult headerFrom(const JsonField& root) {
+    root.requireObject();
+    const JsonField says = root.member(versionKey);
+    if (says.wholeNumber() != version)
+        says.fail(" is " + says.value().dump() + ", but this program reads version " +
+                  std::to_string(version));
+    JobResult result;
+    result.plan = root.member("plan").text();
+    result.job = root.member("job").wholeNumber();
+    const JsonField cells = root.member("cells");
+    cells.requireArray();
+    if (cells.size() != 4) cells.fail(" is not four numbers");
+    const auto at = [&](std::size_t i) { return cells.item(i).integer(); };
+    result.cells = {at(0), at(1), at(2), at(3)};
+    const std::int64_t columns = result.cells.columns(), rows = result.cells.rows();
+    if (columns < 1 || rows < 1 || static_cast<std::uint64_t>(columns) > mostCells ||
+        static_cast<std::uint64_t>(rows) > mostCells / static_cast<std::uint64_t>(columns))
+        cells.fail(" is " + cells.value().dump() + ", which is no range of cells");
+    result.positions = root.member("positions").wholeNumber(65535);
+    root.member("objects").forEachItem([&](const JsonField& object) {
+        result.named.push_back({object.member("source").wholeNumber(), object.member("id").text(),
+                                object.member("building").boolean()});
+    });
+    return result;
+}
+
+void readCells(const Bytes& bytes, const JsonField& root, JobResult& result) {
+    const std::size_t count = result.cells.count();
+    Taking taking(bytes);
+    for (std::size_t i = 0; i < count; ++i)
+        result.lit.push_back(static_cast<std::uint16_t>(taking.take(2)));
+    for (std::size_t i = 0; i < count; ++i)
+        result.heights.push_back(std::bit_cast<float>(taking.take(4)));
+    for (std::size_t i = 0; i < count; ++i)
+        result.objects.push_back(taking.take(4));
+    for (std::size_t i = 0; i < count; ++i)
+        result.kinds.push_back(static_cast<SurfaceKind>(taking.take(1)));
+    for (std::size_t i = 0; i < count; ++i) {
+        const bool isObject = result.objects[i] < result.named.size();
+        if (result.lit[i] > result.positions || !std::isfinite(result.heights[i]) ||
+            result.kinds[i] > SurfaceKind::other || (!isObject && result.objects[i] != noSurface))
+            root.fail(": cell " + std::to_string(i) + " is invalid");
+    }
+}
+
+} // namespace
+
+std::string fileNameOfJob(std::size_t job) {
+    return "job-" + std::to_string(job) + ".city";
+}
+
+Bytes bytesOfResult(const JobResult& result) {
+    Json objects = Json::array();
+    for (const ResultObject& object : result.named)
+        objects.push_back(
+            {{"source", object.source}, {"id", object.id}, {"building", object.isBuilding}});
+    const CellRange& cells = result.cells;
+    const Json header = {{versionKey, version},
+                         {"plan", result.plan},
+                         {"job", result.job},
+                         {"cells", {cells.left, cells.bottom, cells.right, cells.top}},
+                         {"positions", result.positions},
+                         {"objects", std::move(objects)}};
+    Bytes planes;
+    planes.reserve(bytesOfCell * cells.count());
+    for (const std::uint16_t lit : result.lit)
+        append(planes, lit);
+    for (const float height : result.heights)
+        append(planes, std::bit_cast<std::uint32_t>(height));
+    for (const std::uint32_t object : result.objects)
+        append(planes, object);
+    for (const SurfaceKind kind : result.kinds)
+        append(planes, static_cast<std::uint8_t>(kind));
+    const std::string text = header.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+    Bytes bytes(text.begin(), text.end());
+    const Bytes stream = deflated(planes);
+    bytes.insert(bytes.end(), stream.begin(), stream.end());
+    return bytes;
+}
+
+JobResult resultFrom(const std::filesystem::path& path) {
+    const Bytes bytes = readFile(path);
+    const auto end = std::find(bytes.begin(), bytes.end(), '\n');
+    Json json;
+    try {
+        json = Json::parse(bytes.begin(), end);
+    } catch (const nlohmann::json::exception& error) {
+        throw InputError("'" + path.string() +
+                         "' is not a result of city run: " + clauseOf(error.what()) + ".");
+    }
+    const JsonField root(path, json, "the header");
+    JobResult result = headerFrom(root);
+    const std::span<const std::uint8_t> stream(end == bytes.end() ? end : end + 1, bytes.end());
+    const std::optional<Bytes> planes = inflated(stream, bytesOfCell * result.cells.count());
+    if (!planes)
+        throw InputError("'" + path.string() + "' is cut short or broken: its " +
+                         std::to_string(result.cells.count()) + " cells can't be read.");
+    readCells(*planes, root, result);
+    return result;
+}
+
+} // namespace edgeshade::city

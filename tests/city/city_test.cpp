@@ -1,0 +1,278 @@
+// Cities in jobs against cities in one, in several formats, and what is wrong with tiles.
+
+#include "src/city/city_files.hpp"
+#include "src/city/geo_tiff.hpp"
+#include "src/city/job.hpp"
+#include "src/city/planning.hpp"
+#include "tests/city/generated_city.hpp"
+#include "tests/support/input_error.hpp"
+#include "tests/support/temp_folder.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace edgeshade::city {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono;
+
+const sun::Place munich{48.14, 11.57};
+
+GeneratedCity cityOf(std::uint32_t seed, double hills) {
+    GeneratedCity city;
+    city.seed = seed;
+    city.hills = hills;
+    return city;
+}
+
+PlanChoice choiceOf(std::size_t tiles = 1) {
+    PlanChoice choice;
+    choice.schedule.place = munich;
+    choice.schedule.from = choice.schedule.to = 2026y / March / 20;
+    choice.schedule.step = minutes(60);
+    choice.schedule.minAltitude = 10.0;
+    choice.grid = 2.0;
+    choice.tiles = tiles;
+    return choice;
+}
+
+/// Plans in a folder, and counts what the plan's jobs do.
+class CityRun {
+  public:
+    CityRun(const fs::path& input, const PlanChoice& choice, const std::string& name)
+        : results_(folder_ / name) {
+        std::vector<std::string> warnings;
+        Plan plan = planOf(
+            sourcesIn(input, {}), choice, [](double, const std::string&) {}, warnings);
+        plan.folder = fs::absolute(plan.folder);
+        writeFile(folder_ / "plan.json", std::string_view(textOf(plan)));
+        read_ = planFrom(folder_ / "plan.json");
+        fs::create_directories(results_);
+    }
+
+    const Plan& plan() const { return read_.plan; }
+    std::size_t jobs() const { return read_.plan.jobs.size(); }
+    Bytes resultOf(std::size_t job, Threads threads = {}) const {
+        return bytesOfResult(runJob(
+            read_, job, [](double, const std::string&) {}, threads));
+    }
+    /// Runs all jobs, the last first, and joins them.
+    CityMap map() const {
+        for (std::size_t job = jobs(); job >= 1; --job)
+            writeFile(results_ / fileNameOfJob(job), resultOf(job));
+        return joined();
+    }
+    CityMap joined() const { return mapOf(read_, results_); }
+    fs::path resultPath(std::size_t job) const { return results_ / fileNameOfJob(job); }
+
+  private:
+    test::TempFolder folder_;
+    fs::path results_;
+    ReadPlan read_;
+};
+
+CityMap mapOfFolder(const fs::path& input, const PlanChoice& choice) {
+    return CityRun(input, choice, "jobs").map();
+}
+
+std::size_t surfacesOf(const CityMap& map) {
+    return map.lit.size() - static_cast<std::size_t>(std::ranges::count(map.lit, CityMap::nothing));
+}
+
+class CityTiles : public testing::TestWithParam<std::pair<std::uint32_t, double>> {};
+
+TEST_P(CityTiles, GiveTheBytesOfTheWhole) {
+    const auto [seed, hills] = GetParam();
+    const test::TempFolder folder;
+    cityOf(seed, hills).writeCityJson(folder.path());
+    const CityRun whole(folder.path(), choiceOf(), "whole"),
+        tiles(folder.path(), choiceOf(16), "tiles");
+    EXPECT_EQ(whole.jobs(), 1u);
+    EXPECT_GE(tiles.jobs(), 16u);
+    // The halos leave casters out, or this would compare a whole with itself.
+    EXPECT_TRUE(std::ranges::any_of(tiles.plan().jobs, [&](const Job& job) {
+        return job.sources.size() < tiles.plan().sources.size();
+    }));
+    const CityMap one = whole.map(), many = tiles.map();
+    EXPECT_EQ(geoTiffOf(one, whole.plan()), geoTiffOf(many, tiles.plan()));
+    EXPECT_EQ(objectsCsvOf(one, whole.plan()), objectsCsvOf(many, tiles.plan()));
+    EXPECT_EQ(surfacesOf(one), one.lit.size());
+    const auto [least, most] = std::ranges::minmax(one.lit);
+    EXPECT_EQ(least, 0);
+    EXPECT_EQ(most, static_cast<std::int32_t>(one.positions));
+}
+
+INSTANTIATE_TEST_SUITE_P(Generated, CityTiles,
+                         testing::Values(std::pair(1u, 0.0), std::pair(2u, 30.0),
+                                         std::pair(3u, 80.0)));
+
+TEST(City, IsTheSameInEveryFormat) {
+    const GeneratedCity city = cityOf(4, 25.0);
+    std::vector<CityMap> maps;
+    const auto add = [&](const auto& write) {
+        const test::TempFolder folder;
+        write(folder.path());
+        maps.push_back(mapOfFolder(folder.path(), choiceOf(16)));
+    };
+    add([&](const fs::path& folder) { city.writeCityJson(folder); });
+    add([&](const fs::path& folder) { city.writeCityJson(folder, true); });
+    add([&](const fs::path& folder) { city.writeCityJsonSequence(folder); });
+    add([&](const fs::path& folder) { city.writeGltf(folder); });
+    add([&](const fs::path& folder) { city.writeTileset(folder, munich); });
+    for (const CityMap& map : maps) {
+        EXPECT_EQ(map.region.columns(), 128);
+        EXPECT_EQ(map.lit, maps.front().lit);
+    }
+}
+
+TEST(City, ResultsDependOnNothingElse) {
+    const test::TempFolder folder;
+    cityOf(5, 10.0).writeGltf(folder.path());
+    const CityRun run(folder.path(), choiceOf(4), "jobs");
+    EXPECT_EQ(run.resultOf(2, {1}), run.resultOf(2, {3}));
+}
+
+TEST(City, MemoryDividesTargets) {
+    const test::TempFolder folder;
+    GeneratedCity city = cityOf(6, 0.0);
+    city.writeCityJson(folder.path());
+    PlanChoice choice = choiceOf();
+    const CityRun wide(folder.path(), choice, "wide");
+    choice.memory = wide.plan().jobs.front().memory - 1;
+    const CityRun narrow(folder.path(), choice, "narrow");
+    EXPECT_GT(narrow.jobs(), 1u);
+    for (const Job& job : narrow.plan().jobs)
+        EXPECT_LE(job.memory, choice.memory);
+    EXPECT_EQ(wide.map().lit, narrow.map().lit);
+    choice.memory = 1 << 20;
+    try {
+        CityRun(folder.path(), choice, "none");
+        ADD_FAILURE() << "a megabyte sufficed";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.status(), ExitStatus::unavailable);
+    }
+}
+
+TEST(City, AutoPlaceIsTheTilesOwn) {
+    const test::TempFolder cityJson, tiles;
+    cityOf(1, 0.0).writeCityJson(cityJson.path());
+    cityOf(1, 0.0).writeTileset(tiles.path(), munich);
+    PlanChoice choice = choiceOf();
+    choice.placeFromSources = true;
+    // 691328 east, 5334144 north in UTM zone 32 is in Munich; the grid's north is 1.9 degrees off.
+    const hours::Schedule projected = CityRun(cityJson.path(), choice, "p").plan().schedule;
+    EXPECT_NEAR(projected.place.latitude, 48.13, 0.02);
+    EXPECT_NEAR(projected.place.longitude, 11.57, 0.02);
+    EXPECT_NEAR(projected.north, -1.915, 0.02);
+    const hours::Schedule earth = CityRun(tiles.path(), choice, "e").plan().schedule;
+    EXPECT_NEAR(earth.place.latitude, munich.latitude, 1e-9);
+    EXPECT_NEAR(earth.place.longitude, munich.longitude, 1e-9);
+}
+
+TEST(City, RastersReachTheirEdges) {
+    const GeneratedCity city = cityOf(7, 20.0);
+    const auto mapInParts = [&](unsigned parts, std::size_t tiles) {
+        const test::TempFolder folder;
+        city.writeRaster(folder.path(), 4.0, parts);
+        PlanChoice choice = choiceOf(tiles);
+        choice.grid = 4.0;
+        return mapOfFolder(folder.path(), choice);
+    };
+    const CityMap whole = mapInParts(1, 1), halves = mapInParts(2, 1);
+    EXPECT_EQ(surfacesOf(whole), whole.lit.size());
+    EXPECT_EQ(mapInParts(1, 16).lit, whole.lit);
+    EXPECT_EQ(mapInParts(2, 16).lit, halves.lit);
+    // Halves differ near their seam alone, where the surface ends with half a pixel.
+    ASSERT_EQ(halves.lit.size(), whole.lit.size());
+    std::size_t others = 0;
+    for (std::size_t cell = 0; cell < whole.lit.size(); ++cell)
+        others += std::abs(halves.lit[cell] - whole.lit[cell]) > 1;
+    EXPECT_LT(others, whole.lit.size() / 50);
+}
+
+TEST(CityFaults, AreOneSentence) {
+    const test::TempFolder folder;
+    const GeneratedCity city = cityOf(8, 0.0);
+    city.writeCityJson(folder.path());
+    const auto plan = [&] { CityRun(folder.path(), choiceOf(4), "jobs"); };
+    const CityRun run(folder.path(), choiceOf(4), "jobs");
+    // A job is missing, or of another plan.
+    test::expectInputError([&] { run.joined(); }, {"Job 1 of 4 has no result"});
+    run.map();
+    fs::copy_file(run.resultPath(1), run.resultPath(2), fs::copy_options::overwrite_existing);
+    test::expectInputError([&] { run.joined(); }, {"job-2.city", "of job 1, not of job 2"});
+    Bytes cut = readFile(run.resultPath(1));
+    cut.resize(cut.size() - 9);
+    writeFile(run.resultPath(1), cut);
+    test::expectInputError([&] { run.joined(); }, {"job-1.city", "cut short or broken"});
+    // A tile changes or goes after planning.
+    const fs::path tile = folder / "tile-0-0.city.json";
+    const Bytes whole = readFile(tile);
+    Bytes longer = whole;
+    longer.push_back(' ');
+    writeFile(tile, longer);
+    test::expectInputError([&] { run.resultOf(1); }, {"tile-0-0.city.json", "has changed since"});
+    fs::remove(tile);
+    test::expectInputError([&] { run.resultOf(1); }, {"tile-0-0.city.json"});
+    // Tiles overlap, or are broken.
+    writeFile(tile, whole);
+    writeFile(folder / "again.city.json", whole);
+    test::expectInputError(plan, {"the building 'house-0-0'", "must not overlap"});
+    fs::remove(folder / "again.city.json");
+    writeFile(tile, std::span(whole).first(whole.size() / 2));
+    test::expectInputError(plan, {"tile-0-0.city.json", "is not valid JSON"});
+    const test::TempFolder rasters;
+    city.writeRaster(rasters.path(), 4.0);
+    fs::copy_file(rasters / "surface-1.tif", rasters / "twin.tif");
+    test::expectInputError([&] { CityRun(rasters.path(), choiceOf(), "jobs"); },
+                           {"twin.tif", "overlaps", "surface-1.tif"});
+    const Bytes raster = readFile(rasters / "surface-1.tif");
+    writeFile(rasters / "twin.tif", std::span(raster).first(4000));
+    test::expectInputError([&] { CityRun(rasters.path(), choiceOf(), "jobs"); },
+                           {"twin.tif", "TIFF"});
+    const test::TempFolder empty;
+    test::expectInputError([&] { CityRun(empty.path(), choiceOf(), "jobs"); }, {"has no tile"});
+}
+
+TEST(CityFaults, OfTilesetsAreOneSentence) {
+    const test::TempFolder folder;
+    const auto expect = [&](const std::string& root, std::initializer_list<const char*> words) {
+        folder.write("tileset.json", R"({"asset": {"version": "1.1"}, "root": {"boundingVolume": )"
+                                     R"({"sphere": [0, 0, 0, 9]}, "geometricError": 0, )" +
+                                         root + "}}");
+        test::expectInputError([&] { CityRun(folder.path(), choiceOf(), "jobs"); }, words);
+    };
+    expect(R"("implicitTiling": {}, "content": {"uri": "a.glb"})",
+           {"root.implicitTiling", "implicit tiling is not read"});
+    expect(R"("content": {"uri": "../a.glb"})", {"root.content.uri", "in the tileset's folder"});
+    expect(R"("content": {"uri": "http://a/a.glb"})",
+           {"root.content.uri", "in the tileset's folder"});
+    expect(R"("content": {"uri": "a.pnts"})", {"root.content.uri", "a.pnts", ".b3dm"});
+    expect(R"("content": {"uri": "a.glb"})", {"a.glb"});
+    folder.write("a.b3dm", std::string_view("b3dm but short"));
+    expect(R"("content": {"uri": "a.b3dm"})", {"a.b3dm", "28 bytes"});
+}
+
+TEST(City, WritesHoursIntoCityJson) {
+    const test::TempFolder folder;
+    cityOf(9, 0.0).writeCityJson(folder.path());
+    const CityRun run(folder.path(), choiceOf(), "jobs");
+    const CityMap map = run.map();
+    const auto json = nlohmann::json::parse(cityJsonWithHours(map, run.plan(), 0));
+    const double hours = json["CityObjects"]["house-0-0"]["attributes"]["+sun-hours"].get<double>();
+    const auto found = std::ranges::find(
+        map.objects, "house-0-0", [](const ObjectHours& object) { return object.object.id; });
+    ASSERT_NE(found, map.objects.end());
+    EXPECT_EQ(hours, map.meanHoursOf(*found));
+    EXPECT_GT(hours, 0.0);
+    // Everything else stays.
+    auto stripped = json;
+    for (auto& object : stripped["CityObjects"])
+        object.erase("attributes");
+    const Bytes before = readFile(folder / run.plan().sources[0].source.file);
+    EXPECT_EQ(stripped, nlohmann::json::parse(before.begin(), before.end()));
+}
+
+} // namespace
+} // namespace edgeshade::city

@@ -1,0 +1,53 @@
+#!/usr/bin/env python3
+"""read_back.py EDGESHADE MAKE_CITY: opens the files of `city merge` with GDAL, without any code of this
+program. Skipped (77) without GDAL's Python."""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+try:
+    from osgeo import gdal
+except ImportError:
+    # Debian's packages belong to Debian's own Python.
+    debian = "/usr/bin/python3"
+    if os.path.exists(debian) and os.path.realpath(sys.executable) != os.path.realpath(debian):
+        os.execv(debian, [debian, *sys.argv])
+    sys.exit(77)
+
+edgeshade, make_city = sys.argv[1:]
+with tempfile.TemporaryDirectory() as folder:
+    os.chdir(folder)
+
+    def run(*words):
+        subprocess.run(words, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+    run(make_city, "tiles", "cityjson", "2", "3", "1", "15", "1")
+    run(edgeshade, "city", "plan", "tiles", "--date", "2026-06-21", "--step", "60", "--tiles", "4", "-o",
+        "plan.json")
+    jobs = json.load(open("plan.json"))["jobs"]
+    for job in range(1, len(jobs) + 1):
+        run(edgeshade, "city", "run", "plan.json", "--job", str(job))
+    run(edgeshade, "city", "merge", "plan.json", "-o", "map")
+    report = json.load(open("map/report.json"))
+
+    gdal.UseExceptions()
+    raster = gdal.Open("map/hours.tif")
+    band = raster.GetRasterBand(1)
+    assert (raster.RasterXSize, raster.RasterYSize) == (96, 96)
+    assert raster.GetGeoTransform() == (691200.0, 1.0, 0.0, 5334112.0, 0.0, -1.0)
+    assert raster.GetSpatialRef().GetAuthorityCode(None) == "25832"
+    assert band.GetBlockSize() == [256, 256] and band.GetNoDataValue() == -1
+    low, high, mean, _ = band.ComputeStatistics(False)
+    hours = report["hours"]
+    assert low == hours["min"] and high == hours["max"], (low, high, hours)
+    assert abs(mean - hours["mean"]) < 1e-4
+    gdal.Translate("map/cog.tif", raster, format="COG")
+    assert gdal.Open("map/cog.tif").GetMetadataItem("LAYOUT", "IMAGE_STRUCTURE") == "COG"
+    preview = gdal.Open("map/preview.png")
+    assert (preview.RasterXSize, preview.RasterYSize) == (96, 96)
+    table = gdal.OpenEx("map/objects.csv").GetLayer(0)
+    assert sum(int(row.GetField("cells")) for row in table) == report["cells_with_surface"]
+print("read back")
