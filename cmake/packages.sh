@@ -9,7 +9,7 @@ build_packages=(
 )
 package_tools=(dpkg-dev) # finds the libraries that a Debian package needs
 test_packages=(python3 libgtest-dev librapidcheck-dev libnova-dev clang clang-format xvfb xdotool libx11-dev valgrind
-    dpkg-dev lintian man-db)
+    dpkg-dev lintian man-db jq)
 
 # install_packages PACKAGE...
 install_packages() {
