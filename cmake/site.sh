@@ -4,10 +4,10 @@
 source cmake/web.sh
 
 site_packages=(doxygen)
-site_node=20 # the least version of Node.js that the site's packages run on
+site_node=18 # the least version of Node.js that builds the site
 
-# build_site: builds the site into build/site.
-build_site() {
+# install_site_tools: what building the site takes, besides build/web.
+install_site_tools() {
     install_packages "${site_packages[@]}"
     command -v npm >/dev/null || install_packages nodejs npm
     local node
@@ -17,9 +17,15 @@ build_site() {
         say "The site takes Node.js $site_node or later, and this is $node."
         return 1
     fi
+    npm ci --prefix site --no-audit --no-fund --loglevel error
+}
+
+# build_site: builds the site into build/site.
+build_site() {
+    install_site_tools
     [[ -f build/web/wasm/edgeshade.wasm && -f build/web/wasm/edgeshade-masks.wasm ]] || build_web
     say "Building the site"
-    npm ci --prefix site --no-audit --no-fund --loglevel error && npm run --silent build --prefix site
+    npm run --silent build --prefix site
 }
 
 # run_site [--serve] [--port N]
