@@ -11,7 +11,8 @@ export const anchorOf = (text) => text.toLowerCase().replace(/[^\p{L}\p{N}_\- ]/
 const textOf = (inline) => inline.children.map(({ type, content }) => (['text', 'code_inline'].includes(type) ? content : '')).join('');
 
 function numberHeadings(state) {
-  const seen = new Map();
+  // Anchors that a document has already, as moxygen's do, stay the only ones of their name.
+  const seen = new Map([...state.src.matchAll(/<a id="([^"]*)"/g)].map(([, anchor]) => [anchor, 1]));
   state.tokens.forEach((token, index) => {
     if (token.type !== 'heading_open') return;
     const anchor = anchorOf(textOf(state.tokens[index + 1]));

@@ -40,7 +40,7 @@ function readHeaders() {
     '--output', join(pages, '%s.md'), join(xml, 'xml')]);
   for (const name of readdirSync(pages)) {
     const text = readFileSync(join(pages, name), 'utf8').replaceAll(repository, '');
-    const kept = withoutLostLinks(text).replace(/^Defined in (\S+):(\d+)$/gm, 'Defined in `$1`, line $2.');
+    const kept = withoutLostLinks(text).replaceAll('| Return | Name |', '| Type | Name |').replace(/^Defined in (\S+):(\d+)$/gm, 'Defined in `$1`, line $2.');
     writeFileSync(join(pages, name), kept);
   }
 }
