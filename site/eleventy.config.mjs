@@ -62,7 +62,7 @@ export default function configure(config) {
     config.addTemplate(`documents/${path.replace(/\.md$/, '')}.html`, html, { layout: 'document.njk', templateEngineOverride: 'html',
       permalink: pageOfDocument(path), title: titleOf(text), commands: measured.find(({ document }) => document === path)?.commands });
   [...sources].forEach((path, index) =>
-    config.addTemplate(`sources/${index}.html`, `<pre class="code"><code>${highlighted(textOf(path), extname(path).slice(1))}</code></pre>`,
+    config.addTemplate(`sources/${index}.html`, `<pre class="code" tabindex="0"><code>${highlighted(textOf(path), extname(path).slice(1))}</code></pre>`,
       { layout: 'document.njk', templateEngineOverride: 'html', permalink: pageOfSource(path), title: path, isSource: true }));
   for (const page of gallery)
     config.addTemplate(`gallery/${page.name}.html`, '', { layout: 'gallery.njk', templateEngineOverride: 'html',

@@ -1,8 +1,6 @@
 // Live code: runs a page's code in a frame, shows what it says, and lets it be edited.
 
 (() => {
-  const fromFile = location.protocol === 'file:';
-
   const moduleMap = (root) => {
     const at = (path) => new URL(root + path, document.baseURI).href;
     return { imports: { three: at('lib/three/build/three.module.js'), 'three/addons/': at('lib/three/examples/jsm/'),
@@ -41,10 +39,7 @@
     const say = (sentence) => { state.textContent = sentence; };
 
     const run = () => {
-      if (fromFile) {
-        say('Live pictures need a server, as browsers run no modules from files: ./run site --serve starts one.');
-        return;
-      }
+      if (location.protocol === 'file:') return; // from-file.js says why
       say('Loading …');
       frame.hidden = false;
       frame.srcdoc = pageOf(text.value, live.dataset.language, root);

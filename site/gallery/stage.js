@@ -52,6 +52,7 @@ export function stage({ eye, look = [0, 1, 0], sky = 0xcddae6, ambient = 1, opti
   const controls = new OrbitControls(camera, renderer.domElement);
   controls.target.set(...look);
   controls.maxPolarAngle = 1.55;
+  controls.listenToKeyEvents(window); // arrow keys pan, with Shift they orbit
   controls.update();
   const shadows = new ExactShadows(renderer, options).add(scene);
 

@@ -85,6 +85,7 @@ test('the first screen shows the element, and its sun moves', async () => {
   await tab.keyboard.press('ArrowRight');
   const higher = await sun();
   assert.ok(higher[1] > before[1], `${before} to ${higher}`);
+  await tab.locator('#dial').scrollIntoViewIfNeeded();
   const dial = await tab.locator('#dial').boundingBox();
   await tab.mouse.move(dial.x + dial.width / 2, dial.y + dial.height / 2);
   await tab.mouse.down();
@@ -124,6 +125,12 @@ test('the quick start draws shadows', async () => {
   await drawn(tab);
   await frame.waitForTimeout(1500);
   assert.notDeepEqual(await stage.screenshot(), shadowed, 'without castShadow the picture is another');
+  await close(tab);
+});
+
+test('the benchmark draws its room', async () => {
+  const tab = await open('app/compare/index.html?model=room&antialias=off');
+  await tab.waitForFunction(() => /room/.test(document.querySelector('#scene-name').textContent) && window.comparison);
   await close(tab);
 });
 

@@ -63,8 +63,14 @@ export function documentRenderer(onSource) {
     const page = path.endsWith('.md') ? pageOfDocument(path) : pageOfSource(path);
     return `<a href="${linked(page, env)}">${html}</a>`;
   };
+  const fence = markdown.renderer.rules.fence;
+  markdown.renderer.rules.fence = (...args) => fence(...args).replace('<pre>', '<pre tabindex="0">');
+  // A table's empty corner heads nothing.
+  const isCorner = (tokens, index) => tokens[index].type === 'th_open' && tokens[index + 1].content === '';
+  markdown.renderer.rules.th_open = (tokens, index, ...rest) => (isCorner(tokens, index) ? '<td>' : usual(tokens, index, ...rest));
+  markdown.renderer.rules.th_close = (tokens, index, ...rest) => (isCorner(tokens, index - 2) ? '</td>' : usual(tokens, index, ...rest));
   // Wide tables scroll by themselves, with the keyboard, too.
-  markdown.renderer.rules.table_open = () => '<div class="wide" tabindex="0" role="region" aria-label="Table"><table>\n';
+  markdown.renderer.rules.table_open = () => '<div class="wide" tabindex="0" role="group" aria-label="Table"><table>\n';
   markdown.renderer.rules.table_close = () => '</table></div>\n';
   return markdown;
 }

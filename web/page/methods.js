@@ -11,7 +11,7 @@ const ways = {
 
 /** A sentence about a light. `method`, `why`: from the viewer's statistics; `why` is empty if the method was chosen. */
 export function methodText({ method, why }, index) {
-  return `Light ${index + 1}: shadows are ${ways[method] ?? method}, ${why ? `since ${why}` : 'as chosen'}.`;
+  return `Light ${index + 1}: shadows are ${ways[method] ?? method}; ${why ? `reason: ${why}` : 'as chosen'}.`;
 }
 
 const most = 6; // lines; further lights are summed up

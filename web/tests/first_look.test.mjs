@@ -45,18 +45,18 @@ test('while the element starts it says so, and its box stays as it is', async ()
 test('the panel says how each light is shadowed, and why', async () => {
   const page = await shared.open(smallPage, { size });
   const lines = () => page.$$eval('#light-methods li', (items) => items.map((item) => item.textContent));
-  await page.waitForFunction(() => /looked up in a primitive map, since /.test(document.querySelector('#light-methods').textContent));
+  await page.waitForFunction(() => /looked up in a primitive map; reason: /.test(document.querySelector('#light-methods').textContent));
   assert.equal((await lines()).length, (await stateOf(page)).lights.length);
   await page.check('input[name=left-shadows][value=map]', { force: true });
-  await page.waitForFunction(() => document.querySelector('#light-methods').textContent === 'Light 1: shadows are sampled from a shadow map, as chosen.');
+  await page.waitForFunction(() => document.querySelector('#light-methods').textContent === 'Light 1: shadows are sampled from a shadow map; as chosen.');
   await page.click('#light-add');
   await page.waitForFunction(() => document.querySelectorAll('#light-methods li').length === 2);
   await shared.check(page);
 });
 
 test('methods in words', () => {
-  assert.equal(methodText({ method: 'volumes', why: 'it moves' }, 1), 'Light 2: shadows are counted by shadow volumes, since it moves.');
-  assert.equal(methodText({ method: 'none', why: '' }, 0), 'Light 1: shadows are left out, as chosen.');
+  assert.equal(methodText({ method: 'volumes', why: 'it moves' }, 1), 'Light 2: shadows are counted by shadow volumes; reason: it moves.');
+  assert.equal(methodText({ method: 'none', why: '' }, 0), 'Light 1: shadows are left out; as chosen.');
   const many = methodLines(Array.from({ length: 9 }, () => ({ method: 'volumes', why: 'it moves' })));
   assert.equal(many.length, 7);
   assert.equal(many.at(-1), '3 further lights');
