@@ -1,4 +1,4 @@
-// A chair on a turntable: the slats' shadows touch what casts them.
+// A chair on a turntable: the slats' shadows begin at the slats.
 import * as THREE from 'three';
 import { block, matt, post, solid, stage, sunFrom } from 'stage';
 

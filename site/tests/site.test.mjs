@@ -156,11 +156,11 @@ test('columns of measured tables are sorted by number', async () => {
 });
 
 test('axe finds nothing on these pages, light and dark', async () => {
-  for (const [page, colorScheme] of [['index.html', 'light'], ['gallery/index.html', 'dark'], ['gallery/house.html', 'light'], ['docs/measured/gpu.html', 'dark'],
-    ['sun-hours.html', 'light'], ['api/js/three/exact-shadows.html', 'light'], ['reproduce.html', 'dark']]) {
-    const tab = await open(page, { colorScheme, javaScriptEnabled: true });
+  for (const [page, colorScheme] of [['index.html', 'light'], ['gallery/house.html', 'dark'], ['docs/measured/gpu.html', 'dark'],
+    ['sun-hours.html', 'light'], ['api/js/three/exact-shadows.html', 'light']]) {
+    const tab = await open(page, { colorScheme });
     await tab.evaluate(axe);
-    const { violations } = await tab.evaluate(() => window.axe.run(document, { iframes: false, rules: { 'color-contrast': { enabled: true } } }));
+    const { violations } = await tab.evaluate(() => window.axe.run(document, { iframes: false }));
     assert.deepEqual(violations.map(({ id, nodes }) => `${page}, ${id}: ${nodes.slice(0, 2).map(({ html }) => html).join(' ')}`), []);
     await tab.close();
   }
