@@ -10,6 +10,7 @@ import { after, before, test } from 'node:test';
 import { launchChromium } from '../../web/tests/support/chromium.mjs';
 import { serve } from '../../web/tests/support/server.mjs';
 import { brokenLinks } from '../tools/check_links.mjs';
+import { claims, measuredDocuments } from '../tools/measurements.mjs';
 import { output } from '../tools/paths.mjs';
 import { sectionsOf } from '../tools/search-data.mjs';
 
@@ -53,6 +54,14 @@ const drawn = (tab) => tab.waitForFunction(() => {
 
 test('every link leads somewhere on the site', () => {
   assert.deepEqual(brokenLinks(output), []);
+});
+
+test('each figure of README.md has commands that reproduce it', () => {
+  const measured = new Map(measuredDocuments().map(({ document, commands }) => [document, commands]));
+  const rows = claims();
+  assert.ok(rows.length > 3, `${rows.length} figures`);
+  for (const { claim, documents } of rows)
+    assert.ok(documents.some((document) => measured.get(document)?.length), `${claim} links to ${documents}, which no script writes.`);
 });
 
 test('the check of links notices a missing page, a missing part, another server and an absolute path', () => {
