@@ -22,13 +22,16 @@ export function methodLines(lights) {
   return lights.length > most ? [...lines, `${lights.length - most} further lights`] : lines;
 }
 
-/** Keeps a list in step with the frames that the viewer draws. */
+/** Keeps a list in step with the frames that the viewer draws, at most four times a second. */
 export function connectMethods(viewer, list) {
+  let waiting = null;
   let shown = null;
-  viewer.addEventListener('frame', () => {
+  const show = () => {
+    waiting = null;
     const lines = methodLines(viewer.stats.lights);
     if (lines.join('\n') === shown) return;
     shown = lines.join('\n');
     list.replaceChildren(...lines.map((line) => Object.assign(document.createElement('li'), { textContent: line })));
-  });
+  };
+  viewer.addEventListener('frame', () => { waiting ??= setTimeout(show, 250); });
 }

@@ -45,7 +45,7 @@ test('while the element starts it says so, and its box stays as it is', async ()
 test('the panel says how each light is shadowed, and why', async () => {
   const page = await shared.open(smallPage, { size });
   const lines = () => page.$$eval('#light-methods li', (items) => items.map((item) => item.textContent));
-  await page.waitForFunction(() => /looked up in a primitive map; reason: /.test(document.querySelector('#light-methods').textContent));
+  await page.waitForFunction(() => /^Light 1: shadows are [a-z ]+; reason: .+\.$/.test(document.querySelector('#light-methods').textContent));
   assert.equal((await lines()).length, (await stateOf(page)).lights.length);
   await page.check('input[name=left-shadows][value=map]', { force: true });
   await page.waitForFunction(() => document.querySelector('#light-methods').textContent === 'Light 1: shadows are sampled from a shadow map; as chosen.');
