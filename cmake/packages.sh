@@ -9,14 +9,14 @@ build_packages=(
 )
 package_tools=(dpkg-dev) # finds the libraries that a Debian package needs
 test_packages=(python3 libgtest-dev librapidcheck-dev libnova-dev clang clang-format xvfb xdotool libx11-dev valgrind
-    dpkg-dev lintian man-db)
+    dpkg-dev lintian man-db jq)
 
 # install_packages PACKAGE...
 install_packages() {
     local missing=() package
     if ! command -v apt-get >/dev/null; then
-        say "This is no Debian: please see to it that these packages' counterparts are installed:"
-        say "    $*"
+        say "There is no apt-get here. Please install what these Debian packages hold, by your system's names:"
+        printf '      %s\n' "$@" >&2
         return 0
     fi
     for package in "$@"; do
@@ -36,6 +36,10 @@ install_packages() {
 build() {
     local preset=$1
     shift
+    if ! command -v cmake >/dev/null; then
+        say "CMake is missing, so nothing can be built. Install what is listed above, then call this again."
+        exit 1
+    fi
     say "Building ($preset)"
     cmake --preset "$preset" "${configure_options[@]}" >/dev/null
     cmake --build --preset "$preset" ${1:+--target "$@"}

@@ -35,10 +35,16 @@ run_web() {
     build_web >&2
     say "The viewer is in $PWD/build/web"
     [[ -n $serve ]] || return 0
+    serve_folder build/web "$port"
+}
+
+# serve_folder FOLDER PORT: serves it on localhost, by a later port if this one is taken.
+serve_folder() {
+    local port=$2
     while ! python3 -c "import socket; socket.socket().bind(('127.0.0.1', $port))" 2>/dev/null; do
         ((port < 65535)) || exit 1
-        port=$((port + 1)) # the port is taken
+        port=$((port + 1))
     done
     say "Open http://localhost:$port/ in a browser; Ctrl-C ends it."
-    exec python3 -m http.server "$port" --bind 127.0.0.1 --directory build/web
+    exec python3 -m http.server "$port" --bind 127.0.0.1 --directory "$1"
 }

@@ -246,7 +246,7 @@ export interface LoadDetail {
 }
 
 export interface ProgressDetail {
-  stage: 'download' | 'read' | 'flatten' | 'images' | 'shadows' | 'hand over' | 'upload' | 'draw';
+  stage: 'start' | 'download' | 'read' | 'flatten' | 'images' | 'shadows' | 'hand over' | 'upload' | 'draw';
   /** Progress of the whole load, 0..1. */
   fraction: number;
 }
@@ -278,7 +278,7 @@ export interface EdgeshadeViewerEventMap {
  *               extent of those point lights in the scene's units, of those suns in degrees:
  *               soft shadows
  *   light-samples  points of each such light
- *   smooth      antialiasing at rest: number of pictures that are averaged, 1..256 (1)
+ *   smooth      antialiasing at rest: number of pictures that are averaged, 1..256 (16)
  *   place       "latitude,longitude" in degrees, and with it
  *   time-of-day "2026-06-21T14:30+02:00": the sun at that place and time, as the first light
  *   north       direction of north, degrees clockwise from -Z seen from above (0)
@@ -307,7 +307,7 @@ export interface EdgeshadeViewerEventMap {
  *   debug       volumes: shows the shadow volumes
  *   lights      off: no handles
  *   playing, speed, time: of the animation
- *   antialias   off: no multisampling (read once)
+ *   antialias   off: no multisampling, and no smoothing at rest unless `smooth` asks for it (read once)
  *   variant     one of the file's variants of materials; a change loads the scene again
  *   label       description of the picture for screen readers
  *

@@ -21,6 +21,8 @@ export { sizeText } from './files.js';
 export { hourColors } from './hour-colors.js';
 export { version } from './version.js';
 
+const picturesAtRest = 16; // averaged by default
+
 const nextFrame = () => new Promise((resolve) => requestAnimationFrame(() => resolve()));
 
 export class EdgeshadeViewer extends HTMLElement {
@@ -63,6 +65,7 @@ export class EdgeshadeViewer extends HTMLElement {
 
   connectedCallback() {
     this.#label();
+    if (!this.#started && this.getAttribute('src')) this.#tellProgress('start');
     this.#started ??= this.#start();
     const watches = [
       watchPictureSize(this.#canvas, (...size) => this.#resize(...size)),
@@ -147,6 +150,7 @@ export class EdgeshadeViewer extends HTMLElement {
     const clicked = performance.now();
     try {
       const wanted = this.#sourceOf(source);
+      if (!this.#viewer) this.#tellProgress('start');
       await (this.#started ??= this.#start());
       if (!this.#viewer) throw new Error(this.#problem);
       this.setAttribute('aria-busy', 'true');
@@ -213,14 +217,14 @@ export class EdgeshadeViewer extends HTMLElement {
 
   async #start() {
     try {
-      this.#context = createContext(this.#canvas, {
-        antialias: this.getAttribute('antialias') !== 'off',
-      });
+      const antialias = this.getAttribute('antialias') !== 'off';
+      this.#context = createContext(this.#canvas, { antialias });
       this.#program = await instantiate(await compiledModule());
       this.#handle = register(this.#program, this.#context);
       const viewer = new this.#program.Viewer();
       const problem = viewer.start(this.#maps);
       if (problem) throw new Error(problem);
+      if (antialias) viewer.change(JSON.stringify({ smooth: picturesAtRest }));
       this.#viewer = viewer;
       this.#resize(this.#canvas.width, this.#canvas.height, window.devicePixelRatio || 1);
     } catch (error) {

@@ -1,8 +1,9 @@
-// One progress bar from the start of a download to the first frame.
+// One progress bar from the element's start to the first frame.
 
 // Start and end of each stage on the bar.
 const spans = {
-  download: [0, 0.5, 'Fetching the scene'],
+  start: [0, 0.04, 'Starting'],
+  download: [0.04, 0.5, 'Fetching the scene'],
   read: [0.5, 0.58, 'Reading the scene'],
   flatten: [0.58, 0.64, 'Placing the parts'],
   images: [0.64, 0.72, 'Loading the images'],

@@ -7,6 +7,7 @@ import { connectDivider } from './divider.js';
 import { acceptFiles } from './drop.js';
 import { connectFigures } from './figures.js';
 import { connectKeyHelp } from './key-help.js';
+import { connectMethods } from './methods.js';
 import { sampleUrl, sampleView } from './sample.js';
 import { connectSheet } from './sheet.js';
 import { hashOf, readHash } from './url-state.js';
@@ -26,6 +27,7 @@ const refreshControls = connectControls(viewer);
 const refreshDivider = connectDivider(viewer, $('divider'));
 const refreshFigures = connectFigures($('stats'), sizeText);
 connectKeyHelp($('keys'), $('key-list'), $('keys-open'), keys);
+connectMethods(viewer, $('light-methods'));
 connectSheet($('panel'), $('sheet'));
 
 // ---- loading -----------------------------------------------------------------------------------

@@ -18,7 +18,7 @@ export function hashOf(model, state) {
   put('light', state.lights.map(lightText).join(';'));
   if (state.chosen_light) put('chosen', state.chosen_light);
   if ((state.light_samples ?? 64) !== 64) put('light-samples', state.light_samples);
-  if (state.smooth > 1) put('smooth', state.smooth);
+  if ((state.smooth ?? 16) !== 16) put('smooth', state.smooth);
   if (state.sun) {
     put('place', list(state.sun.place));
     put('time-of-day', state.sun.time);

@@ -47,8 +47,10 @@ test('the menu, the attribute and the address ask for it', async () => {
   await smooth(again, 9);
   assert.equal(await again.inputValue('#smooth'), '9');
   await assert.rejects(change(again, { smooth: 257 }), /smooth is 257/);
-  await again.selectOption('#smooth', '1');
+  await again.selectOption('#smooth', '16'); // the default
   await again.waitForFunction(() => !location.hash.includes('smooth'));
+  await again.selectOption('#smooth', '1');
+  await again.waitForFunction(() => location.hash.includes('&smooth=1&'));
   await again.waitForFunction(() => document.querySelector('#viewer').smoothing.of === 0);
   await shared.check(again);
   assert.deepEqual(changesFromAttributes((name) => ({ smooth: '16' })[name] ?? null), { smooth: 16 });

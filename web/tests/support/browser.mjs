@@ -8,17 +8,25 @@ import { serve } from './server.mjs';
 /** The page with a scene of 36 triangles. */
 export const smallPage = '/#model=tests/small.gltf';
 
-/** Software rendering is several times as fast without antialiasing. */
+/**
+ * Elements without antialiasing, unless their page says otherwise: software rendering is several times as
+ * fast, and pictures don't change at rest.
+ */
 function withoutAntialiasing() {
-  const { getContext } = HTMLCanvasElement.prototype;
-  HTMLCanvasElement.prototype.getContext = function (type, options) {
-    return getContext.call(this, type, type === 'webgl' ? { ...options, antialias: false } : options);
+  const { define } = CustomElementRegistry.prototype;
+  CustomElementRegistry.prototype.define = function (name, type, options) {
+    const { connectedCallback } = type.prototype;
+    type.prototype.connectedCallback = function () {
+      if (!this.hasAttribute('antialias')) this.setAttribute('antialias', 'off');
+      connectedCallback.call(this);
+    };
+    define.call(this, name, type, options);
   };
 }
 
 /**
  * Call it at the top of a test file; `angle` as in chromium.mjs, `roots` as in server.mjs.
- * open(path, options) returns a page that has loaded its scene; check(page) fails if anything was
+ * open(path, options) returns a page that has loaded its scene, without antialiasing by default; check(page) fails if anything was
  * reported to its console.
  */
 export function useBrowser({ angle, roots } = {}) {
@@ -32,7 +40,7 @@ export function useBrowser({ angle, roots } = {}) {
     await shared.server?.close();
   });
 
-  shared.open = async (path = smallPage, { size = { width: 800, height: 500 }, init, scene = true, ...context } = {}) => {
+  shared.open = async (path = smallPage, { size = { width: 800, height: 500 }, init, scene = true, antialias = false, ...context } = {}) => {
     const made = await shared.browser.newContext({ viewport: size, ...context });
     const page = await made.newPage();
     page.setDefaultTimeout(60000);
@@ -41,7 +49,7 @@ export function useBrowser({ angle, roots } = {}) {
       if (['error', 'warning'].includes(message.type())) page.reports.push(message.text());
     });
     page.on('pageerror', (error) => page.reports.push(String(error)));
-    await page.addInitScript(withoutAntialiasing);
+    if (!antialias) await page.addInitScript(withoutAntialiasing);
     if (init) await page.addInitScript(init);
     await page.goto(new URL(path, shared.server.address).href);
     if (scene) await loaded(page);
