@@ -3,10 +3,10 @@
 import { BackSide, DoubleSide, Matrix4 } from 'three';
 import { alphaTestedCasting, isAlphaTested, sameAlpha, texcoordsNameOf } from './alpha-tests.js';
 import { unclipped } from './clippings.js';
-import { canPlaceFar, nearOrigin } from './far-vertices.js';
 import { MeshParts, whyNotInMasks } from './mesh-parts.js';
 import { MeshQueue } from './mesh-queue.js';
 import { isPosed, poseOf, sameNumbers, shapeOf, texcoordsOf, trianglesOf, versionsOf } from './mesh-shape.js';
+import { canPlaceFar, nearOrigin } from './near-origin.js';
 import { isSeeThrough, requireTransparentCast, tintObstacleOf, tintOf } from './see-through.js';
 
 /** Only meshes of up to this many triangles are prepared within a frame, or merged (in the engine). */

@@ -15,6 +15,7 @@ import { needsMask, RestingLights } from './resting-lights.js';
 import { castingLights } from './scene-lights.js';
 import { requireTransparentCast } from './see-through.js';
 import { TexelReading } from './texel-reading.js';
+import { ancestorTakesPart, visibleOf } from './visible-objects.js';
 import { Warnings } from './warnings.js';
 
 export { ExactShadowsPass } from './exact-shadows-pass.js';
@@ -31,28 +32,6 @@ const slotUniforms = (slot) => Object.fromEntries(Object.entries({
 
 /** A light's number in edgeshadeWays. */
 const wayOf = (map, channel) => (!map ? channel : channel < 0 ? -1 - map.slot : mostLights * (map.slot + 1) + channel);
-
-/** Lights and meshes that the camera sees, in three.js's order. */
-function visibleOf(scene, camera, roots) {
-  const lights = [], meshes = [];
-  const visit = (object, within) => {
-    if (object.visible === false) return;
-    const takesPart = within || roots.has(object);
-    if (object.layers.test(camera.layers)) {
-      if (object.isLOD && object.autoUpdate && camera.isCamera) object.update(camera);
-      if (object.isLight) lights.push(object);
-      else if (object.isMesh && takesPart) meshes.push(object);
-    }
-    for (const child of object.children) visit(child, takesPart);
-  };
-  visit(scene, false);
-  return { lights, meshes };
-}
-
-const ancestorTakesPart = (object, roots) => {
-  for (let at = object; at; at = at.parent) if (roots.has(at)) return true;
-  return false;
-};
 
 /** Milliseconds between steps outside of frames, and between looks at lights that rest. */
 const stepWait = 16, lightWait = 100;

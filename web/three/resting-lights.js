@@ -197,7 +197,12 @@ export class RestingLights {
 
   /** The time, as of performance.now(), since which casters have to rest to be in all maps. */
   get heldSince() {
-    return Math.min(...[...this.#entries.values()].map(({ current }) => current?.since ?? Infinity));
+    return Math.min(...[...this.#entries.keys()].map((light) => this.heldSinceOf(light)));
+  }
+
+  /** The same of one light's map; Infinity: it has none. */
+  heldSinceOf(light) {
+    return this.#entries.get(light)?.current?.since ?? Infinity;
   }
 
   /** How a light is shadowed, and why: {method, reason}; null: unknown. */
