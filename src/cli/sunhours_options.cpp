@@ -115,8 +115,9 @@ std::vector<std::string> SunHoursFiles::all() const {
 
 LoadedScene SunHoursOptions::loadForHours(const hours::Schedule& schedule,
                                           std::span<const hours::Position> positions,
-                                          ShadowMethod shadows) const {
-    LoadedScene loaded = load(Shading::base, shadows, false);
+                                          bool byRays) const {
+    LoadedScene loaded =
+        byRays ? loadForRays(Shading::base) : load(Shading::base, ShadowMethod::volumes, false);
     Warnings& warnings = loaded.scene.warnings;
     if (positions.empty())
         warnings.add("The sun is never higher than " +

@@ -139,8 +139,7 @@ void sunHoursOfSurfaces(const SunHoursOptions& options) {
                                          ? hours::beamOf(*options.weather, run.positions, run.step)
                                          : std::vector<double>();
 
-    const LoadedScene loaded =
-        options.loadForHours(schedule, run.positions, ShadowMethod::primitiveMap);
+    const LoadedScene loaded = options.loadForHours(schedule, run.positions, true);
     ProgressBar bar;
     bar.show(0.0, "dividing surfaces");
     const hours::SensorLight light = sensorLight(loaded);
