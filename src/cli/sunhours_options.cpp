@@ -167,6 +167,14 @@ std::optional<double> SunHoursOptions::hoursWanted() const {
     return preset ? std::optional(preset->threshold) : threshold;
 }
 
+std::optional<double> SunHoursOptions::riseInWindows() const {
+    const std::optional<double> rise = preset ? preset->riseInWindow(surface.sill) : std::nullopt;
+    if (surface.sill && !rise)
+        throw Error(ExitStatus::usage, "--sill needs a --preset of EN 17037; other rules take the "
+                                       "middle of a window.");
+    return rise;
+}
+
 std::string SunHoursOptions::dateWarning() const {
     if (!preset || (!date && !from)) return "";
     const auto fits = [&](sys_days day) {

@@ -53,6 +53,9 @@ struct SunHoursOptions : SceneOptions {
     /// options that don't go together.
     hours::Schedule schedule() const;
     std::optional<double> hoursWanted() const;
+    /// Metres of windows' sensors over their lower edges; null: in the middle. Throws Error(usage)
+    /// for a sill that no preset uses.
+    std::optional<double> riseInWindows() const;
     /// Warning if --preset does not suit the dates; empty: none.
     std::string dateWarning() const;
     /// Loads the scene, and prints its warnings and those about dates and clock. `positions`: those
