@@ -267,7 +267,11 @@ const std::vector<Option> sunlight = {
     {"--materials NAME", "all", sunhours, "Measure the surfaces of this material; may be repeated"},
     {"--windows NAME", "", usual(sunhours),
      "Measure the middles of windows, by their node or material; may be repeated",
-     "With a preset or --threshold the report says which of them pass."},
+     "With a preset or --threshold the report says which of them pass. EN 17037 takes a lower "
+     "point, "
+     "0.3 m over the pane's lower edge."},
+    {"--sill H", from(0.0), "", sunhours, "Metres from the floor to the panes' lower edges",
+     "With a preset of EN 17037 sensors are 1.2 m over the floor then, where that is higher."},
     {"--epw FILE", "", usual(sunhours),
      "Weather file of EnergyPlus: place, time zone and direct normal radiation"},
     {"--quantity WORD", words({"hours", "direct-kwh"}), "=hours", sunhours,

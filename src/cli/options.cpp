@@ -134,6 +134,20 @@ LoadedScene SceneOptions::load(Shading shading, ShadowMethod shadows, bool oppos
                     "--cull auto does not go with --layout published or brute-force, whose records "
                     "don't say which side of a triangle is its front; adapted can.");
     LoadedScene loaded = loadScene(input, casters.wanted(), limits, {}, {variant, shading});
+    prepare(loaded, shadows, oppositeVertices);
+    return loaded;
+}
+
+LoadedScene SceneOptions::loadForRays(Shading shading) const {
+    constexpr ShadowMethod exact = ShadowMethod::primitiveMap;
+    // Poses and cuts change shadow data, and so need them.
+    if (isPosed() || !section.section().planes.empty()) return load(shading, exact, false);
+    LoadedScene loaded = loadSurfaces(input, casters.wanted(), limits, {variant, shading});
+    prepare(loaded, exact, false);
+    return loaded;
+}
+
+void SceneOptions::prepare(LoadedScene& loaded, ShadowMethod shadows, bool oppositeVertices) const {
     loaded.cutoutsCast = cutoutsCast;
     loaded.scene.culls = culls.value_or(cullsByDefault && !oppositeVertices);
     if (cutoutsCast &&
@@ -141,8 +155,7 @@ LoadedScene SceneOptions::load(Shading shading, ShadowMethod shadows, bool oppos
         loaded.scene.warnings.add("--cast-cutouts: volumes count no cutouts, nor does an irregular "
                                   "z-buffer; --shadows "
                                   "primitive-map has them, exactly, auto, and map.");
-    const bool wanted = time || !animation.empty();
-    if (wanted && !poseScene(loaded, time.value_or(0.0), animation) && animation.empty())
+    if (isPosed() && !poseScene(loaded, time.value_or(0.0), animation) && animation.empty())
         loaded.scene.warnings.add("--time: the scene has no animation that moves anything, so it "
                                   "is at rest.");
     leaveOutHidden(loaded);
@@ -150,7 +163,6 @@ LoadedScene SceneOptions::load(Shading shading, ShadowMethod shadows, bool oppos
     cutScene(loaded, section.section());
     if (const SunOptions& sun = view.lights.sun; sun.isDown())
         loaded.scene.warnings.add(sun.downSentence() + ", so it lights nothing.");
-    return loaded;
 }
 
 nlohmann::ordered_json SceneOptions::sceneJson(const Scene& scene) const {

@@ -80,6 +80,12 @@ struct SceneOptions {
     /// drawn from opposite-vertex records or single triangles. Throws Error(usage) if these were
     /// typed with '--cull auto'; InputError.
     LoadedScene load(Shading shading, ShadowMethod shadows, bool oppositeVertices) const;
+    /// The same for rays, which need no shadow data.
+    LoadedScene loadForRays(Shading shading) const;
+
+  private:
+    bool isPosed() const { return time || !animation.empty(); }
+    void prepare(LoadedScene& loaded, ShadowMethod shadows, bool oppositeVertices) const;
 };
 
 /// Parses "WxH", both 1 to 65536. Throws CLI::ValidationError that names the option.

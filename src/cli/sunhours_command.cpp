@@ -131,9 +131,8 @@ void addSurfaces(const LoadedScene& loaded, const lab::Oracle& oracle,
 
 /// Counts the part's positions for each pixel, and measures the visible surfaces.
 void expose(const SunHoursOptions& options, const SunHoursWay& way, const LoadedScene& loaded,
-            const FrameRequest& request, const lab::AlphaLookup& alpha,
+            const FrameRequest& request, const lab::Oracle& oracle,
             const std::vector<glm::dvec3>& directions, hours::Part& part, ProgressBar& bar) {
-    const lab::Oracle oracle(questionOf(loaded, request), alpha);
     const std::vector<lab::PixelSurface> surfaces = lab::pixelSurfaces(
         oracle, [&](double share) { bar.show(surfacesShare * share, "measuring surfaces"); });
     hours::Exposure& exposure = part.exposure;
@@ -158,8 +157,7 @@ void sunHours(const SunHoursOptions& options) {
     const SunHoursWay way = wayOf(options);
     const hours::Schedule schedule = options.schedule();
     const std::vector<hours::Position> positions = hours::positionsOf(schedule);
-    const LoadedScene loaded = options.loadForHours(
-        schedule, positions, way.byRays ? ShadowMethod::primitiveMap : ShadowMethod::volumes);
+    const LoadedScene loaded = options.loadForHours(schedule, positions, way.byRays);
     const FrameRequest request = requestOf(options, loaded.scene);
 
     hours::Part part;
@@ -177,12 +175,12 @@ void sunHours(const SunHoursOptions& options) {
 
     ProgressBar bar;
     const std::vector<glm::dvec3> directions = directionsOf(part.positions);
-    const lab::AlphaLookup alpha = lab::textureAlpha(loaded);
-    expose(options, way, loaded, request, alpha, directions, part, bar);
+    const lab::Oracle oracle(questionOf(loaded, request), lab::textureAlpha(loaded));
+    expose(options, way, loaded, request, oracle, directions, part, bar);
     for (const hours::ProbePoint& probe : options.probes) {
         bar.show(surfacesShare + countingShare, "testing points");
         part.probes.push_back(
-            {probe, lab::seenFrom(loaded, alpha, probe.point, probe.normal, directions)});
+            {probe, lab::seenFrom(oracle, probe.point, probe.normal, directions)});
     }
     bar.show(1.0, "done");
     if (!options.part) return writeSunHours(part, options.input, options.files);

@@ -115,8 +115,9 @@ std::vector<std::string> SunHoursFiles::all() const {
 
 LoadedScene SunHoursOptions::loadForHours(const hours::Schedule& schedule,
                                           std::span<const hours::Position> positions,
-                                          ShadowMethod shadows) const {
-    LoadedScene loaded = load(Shading::base, shadows, false);
+                                          bool byRays) const {
+    LoadedScene loaded =
+        byRays ? loadForRays(Shading::base) : load(Shading::base, ShadowMethod::volumes, false);
     Warnings& warnings = loaded.scene.warnings;
     if (positions.empty())
         warnings.add("The sun is never higher than " +
@@ -164,6 +165,14 @@ hours::Schedule SunHoursOptions::schedule() const {
 
 std::optional<double> SunHoursOptions::hoursWanted() const {
     return preset ? std::optional(preset->threshold) : threshold;
+}
+
+std::optional<double> SunHoursOptions::riseInWindows() const {
+    const std::optional<double> rise = preset ? preset->riseInWindow(surface.sill) : std::nullopt;
+    if (surface.sill && !rise)
+        throw Error(ExitStatus::usage, "--sill needs a --preset of EN 17037; other rules take the "
+                                       "middle of a window.");
+    return rise;
 }
 
 std::string SunHoursOptions::dateWarning() const {

@@ -53,13 +53,15 @@ struct SunHoursOptions : SceneOptions {
     /// options that don't go together.
     hours::Schedule schedule() const;
     std::optional<double> hoursWanted() const;
+    /// Metres of windows' sensors over their lower edges; null: in the middle. Throws Error(usage)
+    /// for a sill that no preset uses.
+    std::optional<double> riseInWindows() const;
     /// Warning if --preset does not suit the dates; empty: none.
     std::string dateWarning() const;
     /// Loads the scene, and prints its warnings and those about dates and clock. `positions`: those
-    /// of the schedule; `shadows`: as for load().
+    /// of the schedule; `byRays`: as for loadForRays().
     LoadedScene loadForHours(const hours::Schedule& schedule,
-                             std::span<const hours::Position> positions,
-                             ShadowMethod shadows) const;
+                             std::span<const hours::Position> positions, bool byRays) const;
     /// The settings that reports and merging need. `schedule`: from schedule(). `scene`: as loaded.
     nlohmann::ordered_json settingsJson(const hours::Schedule& schedule, const Scene& scene) const;
 };

@@ -38,10 +38,12 @@ hours::SurfaceCells divide(const SunHoursOptions& options, const LoadedScene& lo
     const double scale = 1.0 / typed.unit;
     const hours::SurfaceChoice choice =
         surfaceChoice(*loaded.document, typed.nodes, typed.materials, typed.windows);
+    std::optional<double> rise = options.riseInWindows();
+    if (rise) *rise *= scale;
     hours::SurfaceCells cells =
         typed.windows.empty()
             ? hours::cellsOf(loaded.scene, choice, {typed.grid * scale, typed.offset * scale})
-            : hours::windowsOf(loaded.scene, choice, {flatPane * scale, typed.offset * scale},
+            : hours::windowsOf(loaded.scene, choice, {flatPane * scale, typed.offset * scale, rise},
                                light);
     if (cells.cells.empty())
         throw Error(ExitStatus::usage, "--surfaces: there is no surface of that choice.");
@@ -139,8 +141,7 @@ void sunHoursOfSurfaces(const SunHoursOptions& options) {
                                          ? hours::beamOf(*options.weather, run.positions, run.step)
                                          : std::vector<double>();
 
-    const LoadedScene loaded =
-        options.loadForHours(schedule, run.positions, ShadowMethod::primitiveMap);
+    const LoadedScene loaded = options.loadForHours(schedule, run.positions, true);
     ProgressBar bar;
     bar.show(0.0, "dividing surfaces");
     const hours::SensorLight light = sensorLight(loaded);

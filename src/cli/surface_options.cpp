@@ -24,6 +24,7 @@ nlohmann::ordered_json SurfaceOptions::json() const {
             {"nodes", nodes},
             {"materials", materials},
             {"windows", windows},
+            {"sill", sill ? nlohmann::ordered_json(*sill) : nullptr},
             {"quantity",
              optionOf("sunhours", "--quantity").values.words.at(quantity == Quantity::directKwh)}};
 }
@@ -38,6 +39,7 @@ void addSurfaceOptions(CLI::App& verb, SurfaceOptions& options) {
     addTexts(verb, "--nodes", options.nodes)->needs(surfaces);
     addTexts(verb, "--materials", options.materials)->needs(surfaces);
     addTexts(verb, "--windows", options.windows)->needs(surfaces)->excludes(grid);
+    addNumber(verb, "--sill", options.sill)->needs(verb.get_option("--windows"));
     verb.add_flag("--when", options.when)->needs(surfaces);
     addWords(verb, "--quantity", options.quantity,
              std::vector{Quantity::hours, Quantity::directKwh})

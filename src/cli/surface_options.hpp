@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,10 +22,12 @@ struct SurfaceOptions {
     double unit{};                             ///< metres that a scene unit is, above 0
     std::vector<std::string> nodes, materials; ///< names; empty: all
     std::vector<std::string> windows; ///< names of their nodes or materials; empty: cells of a grid
+    std::optional<double> sill;       ///< metres from the floor to windows; null: unknown
     bool when = false;
     Quantity quantity = Quantity::hours;
 
-    /// {"grid", "offset", "unit", "nodes", "materials", "windows", "quantity"}, as in reports.
+    /// {"grid", "offset", "unit", "nodes", "materials", "windows", "sill",
+    /// "quantity"}, as in reports.
     nlohmann::ordered_json json() const;
 };
 

@@ -88,11 +88,9 @@ std::optional<ExactSurface> surfaceExactly(const Oracle& oracle, double x, doubl
     const Rational near(oracle.question().near);
     std::optional<ExactHit> nearest;
     ExactSurface surface;
-    std::vector<std::uint32_t> candidates = oracle.candidates(ray.origin, ray.direction, false);
-    std::ranges::sort(candidates); // the first of coinciding surfaces is drawn
-    for (const std::uint32_t i : candidates) {
+    // The first of coinciding surfaces is drawn.
+    for (const std::uint32_t i : oracle.firstCandidates(x, y)) {
         const SurfaceTriangle& triangle = oracle.triangles()[i];
-        if (!triangle.visible) continue;
         const auto hit = intersect(ExactTriangle(triangle), origin, direction);
         if (!hit || hit->t < near || hit->t <= 0 || oracle.isCutOut(triangle, hit->u, hit->v))
             continue;

@@ -237,6 +237,35 @@ Oracle::First Oracle::firstAt(double x, double y) const {
     return {nearest, certain && isFirst, certainPlaces && isFirst};
 }
 
+std::vector<std::uint32_t> Oracle::firstCandidates(double x, double y) const {
+    struct Candidate {
+        std::uint32_t triangle;
+        double least; // depth
+    };
+    const PixelRay ray = pixelRay(question_, x, y);
+    std::vector<Candidate> candidates;
+    double most = infinity; // depth of the first surface
+    surfaces_->tree.visitInOrder(ray.origin, ray.direction, [&](std::uint32_t i) {
+        const SurfaceTriangle& triangle = triangles()[i];
+        if (!triangle.visible) return most;
+        const Meeting meeting = intersect(triangle, ray.origin, 0.0, ray.direction);
+        const bool isPlaced = std::isfinite(meeting.t); // not seen edge-on
+        const bool isMissed = meeting.certain() && !meeting.inside();
+        const bool isTooNear = isPlaced && meeting.t + meeting.tError < question_.near;
+        if (isMissed || isTooNear) return most;
+        candidates.push_back({i, isPlaced ? meeting.t - meeting.tError : -infinity});
+        if (meeting.certain() && meeting.t - meeting.tError > question_.near &&
+            question_.scene->materials[triangle.material].alphaMode == AlphaMode::opaque)
+            most = std::min(most, meeting.t + meeting.tError);
+        return most;
+    });
+    std::vector<std::uint32_t> triangles;
+    for (const Candidate& candidate : candidates)
+        if (candidate.least <= most) triangles.push_back(candidate.triangle);
+    std::ranges::sort(triangles);
+    return triangles;
+}
+
 Oracle::Checked Oracle::checkedAt(double x, double y) const {
     const First first = firstAt(x, y);
     if (!first.hit) return {{}, first.certain};
@@ -336,15 +365,16 @@ std::vector<std::uint32_t> Oracle::candidates(const glm::dvec3& origin, const gl
     return found;
 }
 
-bool Oracle::isOpen(std::span<const std::uint32_t> own, const glm::dvec3& direction) const {
+bool Oracle::isOpen(const glm::dvec3& point, std::span<const std::uint32_t> own,
+                    const glm::dvec3& direction) const {
     bool blocked = false;
-    surfaces_->tree.visit(glm::dvec3(0.0), direction, infinity, [&](std::uint32_t i) {
+    surfaces_->tree.visit(point, direction, infinity, [&](std::uint32_t i) {
         const SurfaceTriangle& other = triangles()[i];
         const auto isBeneath = [&](std::uint32_t surface) {
             return surface == i || isNearlyCoplanar(triangles()[surface], other);
         };
         if (!other.casts || std::ranges::any_of(own, isBeneath)) return false;
-        const Meeting meeting = intersect(other, glm::dvec3(0.0), 0.0, direction);
+        const Meeting meeting = intersect(other, point, 0.0, direction);
         blocked = meeting.inside() && meeting.t > 0.0 && !isHole(other, meeting.u, meeting.v);
         return blocked;
     });

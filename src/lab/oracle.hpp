@@ -111,6 +111,10 @@ class Oracle {
     };
     First firstAt(double x, double y) const;
 
+    /// Indices, ascending, of all triangles that may be the first visible surface on the ray of a
+    /// picture point, rounding included: candidates for a more exact judge.
+    std::vector<std::uint32_t> firstCandidates(double x, double y) const;
+
     /// All visible surfaces on the ray of a picture point, as if none hid another.
     std::vector<Hit> surfacesAt(double x, double y) const;
 
@@ -125,10 +129,14 @@ class Oracle {
     std::vector<std::uint32_t> candidates(const glm::dvec3& origin, const glm::dvec3& direction,
                                           bool segment) const;
 
-    /// Whether no caster lies in a direction from the camera's position, at any distance. Ignores
-    /// the `own` triangles, on which the position lies, and triangles in their planes.
-    bool isOpen(std::span<const std::uint32_t> own, const glm::dvec3& direction) const;
+    /// Whether no caster lies in a direction from a point, relative to the camera's position, at
+    /// any distance. Ignores the `own` triangles, on which the point lies, and triangles in their
+    /// planes.
+    bool isOpen(const glm::dvec3& point, std::span<const std::uint32_t> own,
+                const glm::dvec3& direction) const;
 
+    /// The camera's position, in the world.
+    const glm::dvec3& position() const { return position_; }
     const Question& question() const { return question_; }
     const std::vector<SurfaceTriangle>& triangles() const { return surfaces_->triangles; }
     /// The triangles, for other rays.

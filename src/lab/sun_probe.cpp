@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
 
 namespace edgeshade::lab {
 namespace {
@@ -13,52 +12,52 @@ constexpr double onPlane = 4e-7;
 /// Least cosine between a probe's normal and that of the surface it is on.
 constexpr double sameFacing = 0.99;
 
-/// Whether the origin lies on the triangle; `reach`: the size of coordinates nearby.
-bool isTouched(const SurfaceTriangle& triangle, double reach) {
-    const glm::dvec3 normal = normalOf(triangle);
+/// Whether the origin lies on a triangle; `reach`: the size of coordinates nearby.
+bool isTouched(const rays::Corners& corners, double reach) {
+    const auto& [a, b, c] = corners;
+    const glm::dvec3 normal = glm::cross(b - a, c - a);
     const double area = glm::length(normal);
     if (area == 0.0) return false;
     const double tolerance = onPlane * reach;
-    if (std::abs(glm::dot(normal, triangle.a)) > tolerance * area) return false;
+    if (std::abs(glm::dot(normal, a)) > tolerance * area) return false;
     const auto isInside = [&](const glm::dvec3& from, const glm::dvec3& to) {
         const glm::dvec3 edge = to - from;
         return glm::dot(normal, glm::cross(edge, -from)) >= -tolerance * area * glm::length(edge);
     };
-    return isInside(triangle.a, triangle.b) && isInside(triangle.b, triangle.c) &&
-           isInside(triangle.c, triangle.a);
+    return isInside(a, b) && isInside(b, c) && isInside(c, a);
 }
 
-} // namespace
-
-std::vector<bool> seenFrom(const LoadedScene& loaded, const AlphaLookup& alpha,
-                           const glm::dvec3& point, const std::optional<glm::dvec3>& normal,
-                           std::span<const glm::dvec3> directions) {
-    // With the camera at the probe, triangles are relative to it.
-    Question question;
-    question.scene = &loaded.scene;
-    question.castMasked = loaded.settings.castMasked;
-    question.cutoutsCast = loaded.cutoutsCast;
-    question.frustum.viewFromWorld = glm::translate(glm::dmat4(1.0), -point);
-    const Oracle oracle(question, alpha);
-    const std::vector<SurfaceTriangle>& triangles = oracle.triangles();
-
+/// The triangles that a point is on. `place`: of the point, as the triangles' corners are.
+std::vector<std::uint32_t> trianglesAt(const Oracle& oracle, const glm::dvec3& point,
+                                       const glm::dvec3& place,
+                                       const std::optional<glm::dvec3>& normal) {
     const glm::dvec3 size = glm::abs(point);
     const double farthest = std::max({size.x, size.y, size.z});
     std::vector<std::uint32_t> own;
-    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-        const SurfaceTriangle& triangle = triangles[i];
+    for (std::uint32_t i = 0; i < oracle.triangles().size(); ++i) {
+        const SurfaceTriangle& triangle = oracle.triangles()[i];
+        const rays::Corners corners = {triangle.a - place, triangle.b - place, triangle.c - place};
         const double extent =
-            std::max({glm::length(triangle.a), glm::length(triangle.b), glm::length(triangle.c)});
-        if (!isTouched(triangle, std::max(farthest, extent))) continue;
+            std::max({glm::length(corners[0]), glm::length(corners[1]), glm::length(corners[2])});
+        if (!isTouched(corners, std::max(farthest, extent))) continue;
         const glm::dvec3 faces = glm::normalize(normalOf(triangle));
         if (!normal || std::abs(glm::dot(faces, glm::normalize(*normal))) > sameFacing)
             own.push_back(i);
     }
+    return own;
+}
 
+} // namespace
+
+std::vector<bool> seenFrom(const Oracle& oracle, const glm::dvec3& point,
+                           const std::optional<glm::dvec3>& normal,
+                           std::span<const glm::dvec3> directions) {
+    const glm::dvec3 place = point - oracle.position();
+    const std::vector<std::uint32_t> own = trianglesAt(oracle, point, place, normal);
     std::vector<bool> seen;
     for (const glm::dvec3& direction : directions)
         seen.push_back((!normal || glm::dot(*normal, direction) > 0.0) &&
-                       oracle.isOpen(own, direction));
+                       oracle.isOpen(place, own, direction));
     return seen;
 }
 

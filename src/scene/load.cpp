@@ -76,6 +76,16 @@ LoadedScene loadScene(const std::filesystem::path& path,
     return loaded;
 }
 
+LoadedScene loadSurfaces(const std::filesystem::path& path,
+                         const std::optional<CasterSettings>& wanted, const ReadingLimits& limits,
+                         const Looks& looks) {
+    LoadedScene loaded = readScene(path, wanted, limits, {}, looks);
+    loaded.images = decodeImages(*loaded.document, loaded.scene);
+    loaded.planePairs.assign(loaded.scene.batches.size(),
+                             std::make_shared<const PlanePairShadow>());
+    return loaded;
+}
+
 void addGround(LoadedScene& loaded, const Ground& ground) {
     if (!addGround(loaded.scene, ground)) return;
     loaded.ground = ground;

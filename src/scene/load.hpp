@@ -60,6 +60,12 @@ LoadedScene readScene(const std::filesystem::path& path,
                       const std::optional<CasterSettings>& wanted, const ReadingLimits& limits = {},
                       const std::function<void(LoadStage)>& onStage = {}, const Looks& looks = {});
 
+/// As loadScene(), but without shadow data, which rays don't need: every batch's are empty. The
+/// scene is not to be posed or cut.
+LoadedScene loadSurfaces(const std::filesystem::path& path,
+                         const std::optional<CasterSettings>& wanted,
+                         const ReadingLimits& limits = {}, const Looks& looks = {});
+
 /// Runs the last stage of loadScene(). Throws InputError.
 void addShadows(LoadedScene& loaded);
 

@@ -81,6 +81,9 @@ TEST_F(SunHoursByRule, WindowsPassByTheSunThatTheyFace) {
             EXPECT_NEAR(check["point"][2].get<double>(), outwards * 4.04, 1e-6);
             EXPECT_EQ(check["normal"], (Json{0.0, 0.0, outwards}));
             EXPECT_NEAR(check["area"].get<double>(), 4.0, 1e-6);
+            // The panes are from 2 to 4 high.
+            const bool isMiddle = row.altitude > 0.0;
+            EXPECT_NEAR(check["point"][1].get<double>(), isMiddle ? 3.0 : 2.3, 0.02);
             // Nothing stands before the windows: they have the sun that they face.
             std::size_t lit = 0;
             for (const auto& position : found["positions"]) {
@@ -93,6 +96,17 @@ TEST_F(SunHoursByRule, WindowsPassByTheSunThatTheyFace) {
         }
         EXPECT_EQ(rule["checks"][0]["passes"], true);
     }
+}
+
+TEST_F(SunHoursByRule, SillsRaiseThePointOfEn17037) {
+    const Words windows = {"--windows", "glass", "--step", "720", "--sill", "0.5", "--preset"};
+    ASSERT_EQ(run(windows + Words{"en17037-minimum"}).status, 0);
+    EXPECT_EQ(report()["settings"]["surfaces"]["sill"], 0.5);
+    EXPECT_NEAR(report()["rule"]["checks"][0]["point"][1].get<double>(), 2.7, 1e-6);
+    const ProcessResult other = run(windows + Words{"din5034-winter"});
+    EXPECT_EQ(other.status, 1);
+    EXPECT_NE(other.err.find("--sill needs a --preset of EN 17037"), std::string::npos)
+        << other.err;
 }
 
 TEST_F(SunHoursByRule, WindowsAreNamedByNodeOrMaterial) {

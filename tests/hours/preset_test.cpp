@@ -25,4 +25,13 @@ TEST(Presets, HaveTheHoursThatArePublished) {
     EXPECT_EQ(findPreset("en17037"), nullptr);
 }
 
+TEST(Presets, PutThePointOfEn17037OverSillAndFloor) {
+    const Preset& minimum = *findPreset("en17037-minimum");
+    EXPECT_EQ(minimum.riseInWindow({}), 0.3);
+    EXPECT_EQ(minimum.riseInWindow(0.0), 1.2);
+    EXPECT_DOUBLE_EQ(*minimum.riseInWindow(0.7), 0.5);
+    EXPECT_EQ(minimum.riseInWindow(0.95), 0.3);
+    EXPECT_FALSE(findPreset("din5034-winter")->riseInWindow(0.7));
+}
+
 } // namespace edgeshade::hours

@@ -4,6 +4,7 @@
 #include "src/shadow/view/plan_view.hpp"
 #include "tests/support/scene_builder.hpp"
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 #include <numeric>
 
@@ -23,15 +24,13 @@ double areaSeen(const Scene& scene, const Frustum& frustum, int width, int heigh
     return area;
 }
 
-LoadedScene loadedOf(const Scene& scene) {
-    LoadedScene loaded;
-    loaded.scene = scene;
-    return loaded;
-}
-
-bool sees(const LoadedScene& loaded, const glm::dvec3& point,
-          const std::optional<glm::dvec3>& normal, const glm::dvec3& direction) {
-    return seenFrom(loaded, {}, point, normal, {&direction, 1}).front();
+/// `camera`: the position of the oracle's camera, which must not matter.
+bool sees(const Scene& scene, const glm::dvec3& point, const std::optional<glm::dvec3>& normal,
+          const glm::dvec3& direction, const glm::dvec3& camera = glm::dvec3(3.0, 20.0, -1.0)) {
+    Question question;
+    question.scene = &scene;
+    question.frustum.viewFromWorld = glm::translate(glm::dmat4(1.0), -camera);
+    return seenFrom(Oracle(question, {}), point, normal, {&direction, 1}).front();
 }
 
 } // namespace
@@ -81,29 +80,38 @@ TEST(PlanView, HasNorthUp) {
 }
 
 TEST(SunProbe, IsBlockedByCastersOnTheWay) {
-    const LoadedScene loaded =
-        loadedOf(test::SceneBuilder().floor(5.0f).box({1, 0, -1}, {2, 3, 1}).scene());
+    const Scene scene = test::SceneBuilder().floor(5.0f).box({1, 0, -1}, {2, 3, 1}).scene();
     const glm::dvec3 up(0.0, 1.0, 0.0);
     // From 1 in front of a wall of 3: free above a slope of 3 : 1.
-    EXPECT_FALSE(sees(loaded, {0, 0, 0}, up, {1.0, 2.99, 0.0}));
-    EXPECT_TRUE(sees(loaded, {0, 0, 0}, up, {1.0, 3.01, 0.0}));
-    EXPECT_TRUE(sees(loaded, {0, 0, 0}, up, {-1.0, 0.01, 0.0}));
-    EXPECT_FALSE(sees(loaded, {0, 0, 0}, up, {-1.0, -0.01, 0.0})); // turned away
+    EXPECT_FALSE(sees(scene, {0, 0, 0}, up, {1.0, 2.99, 0.0}));
+    EXPECT_TRUE(sees(scene, {0, 0, 0}, up, {1.0, 3.01, 0.0}));
+    EXPECT_TRUE(sees(scene, {0, 0, 0}, up, {-1.0, 0.01, 0.0}));
+    EXPECT_FALSE(sees(scene, {0, 0, 0}, up, {-1.0, -0.01, 0.0})); // turned away
     // Inside the box, in the open air, below the floor.
-    EXPECT_FALSE(sees(loaded, {1.5, 1.0, 0.0}, {}, {0.3, 1.0, 0.2}));
-    EXPECT_TRUE(sees(loaded, {1.5, 4.0, 0.0}, {}, {0.3, 1.0, 0.2}));
-    EXPECT_FALSE(sees(loaded, {0.2, -0.5, 0.0}, {}, {0.3, 1.0, 0.2}));
+    EXPECT_FALSE(sees(scene, {1.5, 1.0, 0.0}, {}, {0.3, 1.0, 0.2}));
+    EXPECT_TRUE(sees(scene, {1.5, 4.0, 0.0}, {}, {0.3, 1.0, 0.2}));
+    EXPECT_FALSE(sees(scene, {0.2, -0.5, 0.0}, {}, {0.3, 1.0, 0.2}));
 }
 
 TEST(SunProbe, IsNotBlockedByTheSurfaceItLiesOn) {
-    const LoadedScene loaded = loadedOf(
-        test::SceneBuilder().floor(5.0f, 0.1f).box({1.1f, 0.1f, -1}, {2.3f, 3.7f, 1}).scene());
+    const Scene scene =
+        test::SceneBuilder().floor(5.0f, 0.1f).box({1.1f, 0.1f, -1}, {2.3f, 3.7f, 1}).scene();
     for (const double x : {0.1, 0.3, -0.7, 4.9, 0.0}) // decimals that aren't exact floats
         for (const double z : {0.3, -1.7, 0.0})       // (0, 0) lies on the floor's diagonal
-            EXPECT_TRUE(sees(loaded, {x, 0.1, z}, {}, {-0.001, 1.0, 0.002})) << x << " " << z;
-    EXPECT_TRUE(sees(loaded, {1.7, 3.7, 0.3}, glm::dvec3(0, 1, 0), {0.9, 0.2, 0.1}));
-    EXPECT_TRUE(sees(loaded, {1.1, 2.0, 0.3}, glm::dvec3(-1, 0, 0), {-0.9, 0.2, 0.1}));
-    EXPECT_FALSE(sees(loaded, {1.1, 2.0, 0.3}, {}, {0.9, 0.2, 0.1})); // through the box
+            EXPECT_TRUE(sees(scene, {x, 0.1, z}, {}, {-0.001, 1.0, 0.002})) << x << " " << z;
+    EXPECT_TRUE(sees(scene, {1.7, 3.7, 0.3}, glm::dvec3(0, 1, 0), {0.9, 0.2, 0.1}));
+    EXPECT_TRUE(sees(scene, {1.1, 2.0, 0.3}, glm::dvec3(-1, 0, 0), {-0.9, 0.2, 0.1}));
+    EXPECT_FALSE(sees(scene, {1.1, 2.0, 0.3}, {}, {0.9, 0.2, 0.1})); // through the box
+}
+
+TEST(SunProbe, DoesNotDependOnTheCamera) {
+    const Scene scene = test::SceneBuilder().floor(5.0f).box({1, 0, -1}, {2, 3, 1}).scene();
+    for (const glm::dvec3& camera :
+         {glm::dvec3(0.0), glm::dvec3(0.3, 1e4, 0.1), glm::dvec3(1.5, 1.0, 0.0)}) {
+        EXPECT_FALSE(sees(scene, {0, 0, 0}, {}, {1.0, 2.99, 0.0}, camera));
+        EXPECT_TRUE(sees(scene, {0, 0, 0}, {}, {1.0, 3.01, 0.0}, camera));
+        EXPECT_TRUE(sees(scene, {0.3, 0, 0.1}, {}, {-0.001, 1.0, 0.002}, camera));
+    }
 }
 
 } // namespace edgeshade::lab

@@ -2,6 +2,8 @@
 
 #include "src/hours/surfaces/patches.hpp"
 
+#include <optional>
+
 namespace edgeshade::hours {
 
 /// Why a cell is left out of shares.
@@ -51,6 +53,9 @@ struct GridSettings {
     /// The most that a cell is wide and high, but for a thousandth; in scene units, above 0.
     double width = 0.5;
     double offset = 0.0; ///< of sensors from their triangles, along the normal; 0 or more
+    /// Height of sensors over their cells' lower edges, above 0, as far as the cell is so high;
+    /// null or on level patches: in the middle.
+    std::optional<double> rise = {};
 };
 
 } // namespace edgeshade::hours

@@ -17,6 +17,8 @@ constexpr double wholeCells = 1e-3;
 /// Share of a cell within which a sensor is moved away from a triangle's edge, and share of the way
 /// to the middle of the triangle's part by which.
 constexpr double nearEdge = 1e-3, awayFromEdge = 1.0 / 128.0;
+/// Sine of the slope up to which a patch is level.
+constexpr double leastSlope = 0.1;
 /// Share of its sides' product below which a triangle has no area on its patch's plane.
 constexpr double edgeOn = 1e-12;
 
@@ -183,10 +185,18 @@ class PatchGrid {
         return best;
     }
 
+    /// From a cell's lower edge to its sensor, along the plane.
+    double alongCell() const {
+        const double middle = 0.5 * size_.y;
+        if (!grid_.rise || patch_.up.y < leastSlope) return middle;
+        const double along = *grid_.rise / patch_.up.y;
+        return along < size_.y ? along : middle;
+    }
+
     void placeSensor(std::span<const Piece> pieces, Cell& cell) const {
         const std::uint64_t column = pieces.front().cell % counts_[0],
                             row = pieces.front().cell / counts_[0];
-        glm::dvec2 place(line(0, column) + 0.5 * size_.x, line(1, row) + 0.5 * size_.y);
+        glm::dvec2 place(line(0, column) + 0.5 * size_.x, line(1, row) + alongCell());
         const Piece* piece = pieceAt(pieces, place);
         if (!piece) {
             glm::dvec2 sum(0.0);

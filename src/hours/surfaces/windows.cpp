@@ -111,7 +111,8 @@ SurfaceCells windowsOf(const Scene& scene, const SurfaceChoice& choice,
             cells.patchOf[t] = p;
 
     // One cell for every side; then the sides that see most stay.
-    const GridSettings whole{std::numeric_limits<double>::infinity(), settings.offset};
+    const GridSettings whole{std::numeric_limits<double>::infinity(), settings.offset,
+                             settings.rise};
     const std::vector<std::vector<Patch>> windows = sidesOf(scene, patches, cells.triangles);
     for (const std::vector<Patch>& sides : windows)
         for (const Patch& side : sides)

@@ -41,6 +41,23 @@ TEST(Windows, OfPanesAreTheOutsides) {
     }
 }
 
+TEST(Windows, HaveTheirSensorsAsHighAsARuleSays) {
+    // Panes of 1 x 2 from y = 1 on, upright and leaning by 3 : 4; one that is level has no height.
+    const auto heightIn = [](const SceneBuilder& scene, double rise) {
+        const WindowSettings settings{0.01, 0.0, rise};
+        return windowsOf(scene.scene(), all, settings, fromOutside).cells.at(0).point;
+    };
+    const SceneBuilder upright = SceneBuilder().quad({0, 1, 1}, {0, 1, 0}, {0, 3, 0}, {0, 3, 1});
+    const glm::dvec3 point = heightIn(upright, 0.3);
+    EXPECT_NEAR(point.y, 1.3, 1e-6);
+    EXPECT_NEAR(point.z, 0.5, 0.01);
+    EXPECT_NEAR(heightIn(upright, 2.5).y, 2.0, 0.02); // beyond it: in the middle
+    const SceneBuilder leaning = SceneBuilder().quad({0, 1, 1}, {0, 1, 0}, {-3, 5, 0}, {-3, 5, 1});
+    EXPECT_NEAR(heightIn(leaning, 0.4).y, 1.4, 1e-6);
+    const SceneBuilder level = SceneBuilder().floor(2);
+    EXPECT_NEAR(heightIn(level, 0.3).z, 0.0, 0.05);
+}
+
 TEST(Windows, OfSheetsHaveOneSide) {
     // A sheet that faces away from the sky is a window too; its sensor stands off by the offset.
     const SurfaceCells windows =
