@@ -1,14 +1,17 @@
 #!/usr/bin/env python3
 """Wrong pixels of cut scenes, and the time of a dragged plane: docs/measured/sections.md.
 
-    tests/bench/sections.py [--scenes DIR]    writes the page's two tables
+    tests/bench/sections.py [--scenes DIR] [--only TABLE]   writes the page's tables
+                            [--web FILE]                    from web/compare/measure-sections.mjs
 
-The oracle clips its own triangles. Needs the programs in build/release.
+The tables are accuracy, time, and with --web also web. The oracle clips its own triangles. Needs the
+programs in build/release.
 """
 
 import argparse
 import json
 import pathlib
+import statistics
 import struct
 import subprocess
 import tempfile
@@ -100,16 +103,34 @@ def accuracy(scenes):
     return "\n".join(rows)
 
 
-def times(folder):
-    measured = json.loads(subprocess.run([TIMES, *(folder / f"{name}.glb" for name in TIMED)], check=True,
-                                         capture_output=True, text=True).stdout)
+def times(folder, runs=5):
+    """Medians of some runs."""
+    asked = [TIMES, *(folder / f"{name}.glb" for name in TIMED)]
+    measured = [json.loads(subprocess.run(asked, check=True, capture_output=True, text=True).stdout)
+                for _ in range(runs)]
     rows = ["| scene | cut: median, longest | whole: median, longest | tree | first step |",
             "| --- | --- | --- | --- | --- |"]
-    for of in measured:
-        cut, whole = of["cut"], of["whole"]
-        rows.append(f"| {of['scene'].split('.')[0]} | {cut['cut_ms']:.1f}, {cut['cut_ms_worst']:.1f} "
-                    f"| {whole['cut_ms']:.1f}, {whole['cut_ms_worst']:.1f} | {cut['tree_ms']:.1f} "
-                    f"| {cut['first_ms']:.0f} |")
+    for of in zip(*measured):
+        def figure(shadows, key, digits=1):
+            return f"{statistics.median(one[shadows][key] for one in of):.{digits}f}"
+        rows.append(f"| {of[0]['scene'].split('.')[0]} "
+                    + "".join(f"| {figure(shadows, 'cut_ms')}, {figure(shadows, 'cut_ms_worst')} "
+                              for shadows in ("cut", "whole"))
+                    + "".join(f"| {figure('cut', key, digits)}, {figure('whole', key, digits)} "
+                              for key, digits in (("tree_ms", 1), ("first_ms", 0))) + "|")
+    return "\n".join(rows)
+
+
+def web(file):
+    rows = ["| scene | cut: median, longest | whole: median, longest | to WebGL | first step | map: built, longest task |",
+            "| --- | --- | --- | --- | --- | --- |"]
+    for scene, of in json.loads(file.read_text()).items():
+        cut, whole, lookup = of["cut"], of["whole"], of["lookup_of_cut"]
+        built = f"{lookup['build_ms']:.0f}, {lookup['longest_task_ms']:.0f}" \
+            if lookup["method"] == "primitive-map" else "none"
+        rows.append(f"| {scene.split('.')[0]} | {cut['cut_ms']:.1f}, {cut['cut_ms_worst']:.1f} "
+                    f"| {whole['cut_ms']:.1f}, {whole['cut_ms_worst']:.1f} "
+                    f"| {cut['upload_ms']:.1f}, {whole['upload_ms']:.1f} | {cut['first_ms']:.0f} | {built} |")
     return "\n".join(rows)
 
 
@@ -122,10 +143,17 @@ def put(text, name, table):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--scenes", type=pathlib.Path, default=ROOT.parent / "shared/scenes")
-    folder = parser.parse_args().scenes
+    parser.add_argument("--only", choices=("accuracy", "time", "web"), help="this table alone")
+    parser.add_argument("--web", type=pathlib.Path, metavar="FILE", help="results in a page")
+    options = parser.parse_args()
+    if options.only == "web" and not options.web:
+        parser.error("--only web needs --web FILE")
+    folder = options.scenes
     scenes = [*sorted(folder.glob("*.glb")), ROOT / "assets/pavilion.glb"]
-    text = put(PAGE.read_text(), "time", times(folder))
-    PAGE.write_text(put(text, "accuracy", accuracy(scenes)))
+    tables = {"time": lambda: times(folder), "web": lambda: web(options.web), "accuracy": lambda: accuracy(scenes)}
+    for name, table in tables.items():
+        if options.only in (None, name) and (name != "web" or options.web):
+            PAGE.write_text(put(PAGE.read_text(), name, table()))
 
 
 if __name__ == "__main__":
