@@ -128,7 +128,7 @@ export class RestingLights {
   }
 
   /** Why no map is begun of a light now; '': one can be. */
-  #obstacle({ since, current, next, problem, isSoft, restMs: rest }, now) {
+  #obstacle({ since, current, next, problem, isSoft }, now) {
     if (this.#most < 1) return 'lookups is 0, or its materials have no texture left for a map';
     if (problem) return problem;
     if (current?.why && !current.state.rested) return current.why;
@@ -136,7 +136,7 @@ export class RestingLights {
     if (now - since < restMs) return 'it has moved within half a second';
     if (now - this.#restingSince < restMs) return 'casters have come, gone or started to move within half a second';
     if (isSoft && now - this.#castersSince < restMs) return 'it has a radius, and casters have moved within half a second';
-    if (now - this.cutoutsMoved < rest) return 'leaves or glass have moved lately';
+    if (now - this.cutoutsMoved < restMs) return 'leaves or glass have moved within half a second';
     if (current && !current.state.rested) return 'its map is built';
     const others = [...this.#entries.values()].filter((entry) => entry.current?.map ?? entry.next);
     return !current?.map && others.length >= this.#most ? `${this.#most} other lights are looked up` : '';
@@ -155,7 +155,8 @@ export class RestingLights {
   async #begin(light, numbers, entry) {
     const abort = new AbortController();
     entry.abort = abort;
-    const rest = entry.isSoft ? 0 : entry.restMs, since = performance.now() - rest;
+    // Meshes that are cut out or tint must not be left out: masks can't show them as movers.
+    const now = performance.now(), rest = entry.isSoft ? 0 : Math.min(entry.restMs, (now - this.cutoutsMoved) / 2), since = now - rest;
     try {
       const id = await this.#masks.buildLookup(numbers, { cutouts: true, tints: true, signal: abort.signal, restMs: rest, lightSamples: this.samples });
       if (id === null) return;
