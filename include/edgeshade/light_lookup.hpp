@@ -2,6 +2,7 @@
 
 #include "edgeshade/matrix.hpp"
 
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -40,6 +41,12 @@ struct LookupSettings {
     std::size_t lightSamples = 64;
     /// The shader needs lookupSource() with the same. Otherwise such meshes cast as in masks.
     LookupCasters casters{};
+    /// The map holds only what masks can't draw, cutouts and tinted meshes, moving ones too: the
+    /// light reaches a fragment if both the map and a mask of all casters let it. Such a map may be
+    /// built in each frame.
+    bool cutoutsAlone = false;
+    /// With more triangles than this there is no map.
+    std::size_t mostTriangles = std::numeric_limits<std::size_t>::max();
 };
 
 /// The map of one light while it is built. Needs no GL. Copies share the same work. It may be

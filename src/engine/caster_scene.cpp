@@ -376,6 +376,17 @@ CasterScene::Casters CasterScene::resting(double restMs, LookupCasters of) const
     return all;
 }
 
+CasterScene::Casters CasterScene::cutouts(LookupCasters of) const {
+    const Casters all = resting(0.0, of);
+    Casters alone;
+    for (std::size_t i = 0; i < all.casters.size(); ++i) {
+        if (all.casters[i].shadow) continue;
+        alone.casters.push_back(all.casters[i]);
+        alone.held.push_back(all.held[i]);
+    }
+    return alone;
+}
+
 LookupState CasterScene::compare(std::span<const HeldCaster> held, double restMs) const {
     LookupState state;
     std::vector<char> isHeld(slots_.size(), 0);

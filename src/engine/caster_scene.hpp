@@ -58,6 +58,8 @@ class CasterScene {
     /// All casters except movers: those that have moved, and have rested less than `restMs`. Meshes
     /// that are cut out or tinted otherwise cast as in masks.
     Casters resting(double restMs, LookupCasters of) const;
+    /// Those that masks can't draw: meshes that are cut out or tinted, moving ones too.
+    Casters cutouts(LookupCasters of) const;
     /// Compares the casters in a map with the present ones, as in ShadowMasks::state().
     LookupState compare(std::span<const HeldCaster> held, double restMs) const;
     /// Changes whenever a caster changes or moves.

@@ -72,6 +72,14 @@ std::string obstacleOfExtent(const LookupTask& task, std::size_t movers) {
     return allSolid ? "" : "it has a radius, and cutouts or tints cast";
 }
 
+std::size_t trianglesOf(const LookupTask& task) {
+    std::size_t count = 0;
+    for (const LookupTask::Caster& caster : task.casters)
+        count += caster.shadow ? caster.shadow->caps.size()
+                               : caster.cutout.mesh->geometry->indices.size() / 3;
+    return count;
+}
+
 /// A box around receivers, with room for those that move a little.
 Box withRoom(Box receivers) {
     const double room = 0.1 * receivers.diagonal();
@@ -395,11 +403,17 @@ LookupWork ShadowMasks::lookupWork(const MaskLight& light, const LookupSettings&
         throw InputError("Casters can't rest for " + std::to_string(settings.restMs) +
                          " milliseconds: restMs must be 0 or more.");
     requireSamples(settings.lightSamples);
-    CasterScene::Casters resting = drawing.casters.resting(settings.restMs, settings.casters);
+    CasterScene::Casters resting = settings.cutoutsAlone
+                                       ? drawing.casters.cutouts(settings.casters)
+                                       : drawing.casters.resting(settings.restMs, settings.casters);
     LookupTask task{lightsOf({&light, 1}).front(), settings, std::move(resting.casters), {}};
     task.why = drawing.lookups.obstacle();
     if (task.why.empty() && task.casters.empty() && drawing.casters.hasCasters())
-        task.why = "all casters move";
+        task.why = settings.cutoutsAlone ? "no cutouts or tints cast" : "all casters move";
+    if (const std::size_t triangles = trianglesOf(task);
+        task.why.empty() && triangles > settings.mostTriangles)
+        task.why = "its casters have " + std::to_string(triangles) + " triangles, more than " +
+                   std::to_string(settings.mostTriangles);
     if (task.light.extent) {
         if (task.why.empty())
             task.why = obstacleOfExtent(

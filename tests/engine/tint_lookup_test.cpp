@@ -263,4 +263,27 @@ TEST(InvisibleMeshes, AreNotInMasksAndMayCast) {
     EXPECT_EQ(lighter, 0u) << "what is behind it is seen";
 }
 
+TEST(TintLookup, AloneMapsHoldWhatMasksLackAndSayWhyThereIsNone) {
+    // The pillar, a solid, is the masks'.
+    std::vector<Pane> panes = window();
+    Host host(panes);
+    const MaskLight light = hostLight(sun({0.3, 1, 0.25}));
+    LookupSettings alone{.casters = {true, true}};
+    alone.cutoutsAlone = true;
+    host.masks.move(host.ids[1], numbersOf(glm::translate(glm::dmat4(1.0), {0.25, 0, 0})));
+    const LookupWork work = host.masks.lookupWork(light, alone);
+    EXPECT_EQ(work.data()->task.casters.size(), 3u) << "panes, one of which has just moved";
+    for (const LookupTask::Caster& caster : work.data()->task.casters)
+        EXPECT_TRUE(caster.cutout.tint);
+    alone.mostTriangles = 15;
+    EXPECT_EQ(host.masks.lookup(lookedUp(host.masks, light, alone)).why,
+              "its casters have 16 triangles, more than 15");
+    alone.mostTriangles = 16;
+    EXPECT_EQ(host.masks.lookup(lookedUp(host.masks, light, alone)).why, "");
+    for (const ShadowMasks::Id id : host.ids)
+        host.masks.setTint(id, {});
+    EXPECT_EQ(host.masks.lookup(lookedUp(host.masks, light, alone)).why,
+              "no cutouts or tints cast");
+}
+
 } // namespace edgeshade

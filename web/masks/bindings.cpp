@@ -193,6 +193,22 @@ class PageMasks {
         });
         return viewOf(bytes_);
     }
+    /// Builds and uploads the map of cutouts and tinted meshes alone at once.
+    int lookupCutouts(std::uintptr_t light, std::size_t mostTriangles) {
+        int id = -1;
+        done([&] {
+            LookupSettings settings;
+            settings.casters = {true, true};
+            settings.cutoutsAlone = true;
+            settings.mostTriangles = mostTriangles;
+            LookupWork work = masks().lookupWork(lightAt(at<double>(light)), settings);
+            work.finish();
+            const auto made = masks().addLookup(work);
+            masks().uploadLookup(made);
+            id = static_cast<int>(made);
+        });
+        return id;
+    }
     /// Takes over a result of LookupMaker: `size` bytes from malloc(), which it frees. The page
     /// uploads its texels.
     int addLookup(std::uintptr_t address, std::size_t size) {
@@ -320,6 +336,7 @@ EMSCRIPTEN_BINDINGS(edgeshade_masks) {
         .function("draw", &PageMasks::draw)
         .function("setReceivers", &PageMasks::setReceivers)
         .function("lookupTask", &PageMasks::lookupTask)
+        .function("lookupCutouts", &PageMasks::lookupCutouts)
         .function("addLookup", &PageMasks::addLookup)
         .function("prepareUpload", &PageMasks::prepareUpload)
         .function("removeLookup", &PageMasks::removeLookup)

@@ -34,6 +34,14 @@ export class LightLookups {
     return id;
   }
 
+  /** Builds and uploads a map of cutouts and tinted meshes alone within the call. */
+  buildCutouts(light, mostTriangles) {
+    const { masks, inContext, withLight, require } = this.#engine;
+    const id = withLight(light, (address) => inContext(() => masks.lookupCutouts(address, mostTriangles)));
+    require(id >= 0);
+    return id;
+  }
+
   /** Uploads from the worker's memory, so that the program's needn't grow. */
   upload(id, mostBytes = Infinity) {
     const { gl, masks, inContext, require } = this.#engine;

@@ -316,6 +316,12 @@ export class ShadowMasks {
    */
   buildLookup(light: MaskLight, options?: LookupOptions): Promise<number | null>;
   /**
+   * Builds and uploads the map of a light, which may move, for cutouts and tinted meshes alone, moving
+   * ones too: light reaches what both the map and a mask let it. It takes its time within the call, so
+   * that `mostTriangles` limits it; with more, lookup().why says so. Returns a lookup's number.
+   */
+  buildCutouts(light: MaskLight, mostTriangles?: number): number;
+  /**
    * Uploads up to this many bytes of it, so that frames needn't wait. Returns whether all is
    * uploaded.
    */

@@ -218,6 +218,11 @@ export class ShadowMasks {
     return this.#lookups.build(light, options);
   }
 
+  /** The map of cutouts and tinted meshes alone, at once: see the declaration. */
+  buildCutouts(light, mostTriangles = 2 ** 31) {
+    return this.#lookups.buildCutouts(light, mostTriangles);
+  }
+
   /** Uploads up to this many bytes of it. Returns whether all is uploaded. */
   uploadLookup(id, mostBytes) {
     return this.#lookups.upload(id, mostBytes);

@@ -62,13 +62,13 @@ test('the package is at most 1.42 MB, 3.8 MB unpacked', { skip }, () => {
   assert.ok(size <= 1.42e6 && unpackedSize <= 3.8e6);
 });
 
-test('three.js\' adapter weighs at most 465 KB, the element 800 KB, without a bundler, compressed', { skip }, () => {
+test('three.js\' adapter weighs at most 468 KB, the element 800 KB, without a bundler, compressed', { skip }, () => {
   const modules = (...folders) => packed.paths.filter((path) => path.endsWith('.js') && folders.some((folder) => path.startsWith(`dist/${folder}/`)));
   const wasm = (name) => [`dist/wasm/${name}.wasm`, `dist/wasm/${name}.mjs`];
   const adapter = packed.weight(...wasm('edgeshade-masks'), 'dist/element/webassembly.js', ...modules('masks', 'three'));
   const element = packed.weight(...wasm('edgeshade'), ...modules('element'));
   console.log(`adapter ${adapter} bytes, element ${element}`);
-  assert.ok(adapter <= 465e3 && element <= 800e3);
+  assert.ok(adapter <= 468e3 && element <= 800e3);
 });
 
 test('npm packs every entry with its types, workers and WebAssembly', { skip }, () => {

@@ -100,7 +100,7 @@ test('none, opaque and tint, looked up and in masks; changes; a sentence for oth
   const { 'none, mask': [noneMasked, none], 'opaque, mask': [opaqueMasked, opaque], 'tint, mask': [, tint] } = told;
   assert.deepEqual([noneMasked, opaqueMasked], [0, 0]);
   assert.ok(opaque > none + 300);
-  assert.equal(tint, none, 'masks have no tints');
+  assert.equal(tint, none, 'half of the light is more than 128');
   for (const [name, value] of Object.entries(told)) if (name.endsWith('looked up')) assert.equal(value[0], 1, name);
   assert.ok(Math.abs(told['none, looked up'][1] - none) < 60 && Math.abs(told['opaque, looked up'][1] - opaque) < 60);
   assertRight('tint', told.tint);
@@ -144,17 +144,28 @@ test('glass with transmission is not in masks, and receives shadow by lookup', a
     light.position.x += 0.001;
     await drawn(shadows, scene, camera);
     const withPane = redOf(renderer), masked = shadows.cost.lookedUp;
-    const unlike = (a, b) => a.filter((red, i) => Math.abs(red - b[i]) > 100).length;
+    // three.js blurs what is behind a pane by up to two pixels: it samples a picture with four samples a
+    // pixel, by cubic filters.
+    const { width, height } = renderer.domElement;
+    const isFlat = (picture, i) => {
+      const x = i % width, y = Math.floor(i / width), around = [];
+      for (let v = Math.max(0, y - 2); v <= Math.min(height - 1, y + 2); ++v)
+        for (let u = Math.max(0, x - 2); u <= Math.min(width - 1, x + 2); ++u) around.push(picture[v * width + u]);
+      return Math.max(...around) - Math.min(...around) <= 20;
+    };
+    const unlike = (a, b) => a.filter((red, i) => Math.abs(red - b[i]) > 8 && isFlat(a, i)).length;
+    const changed = (a, b) => a.filter((red, i) => Math.abs(red - b[i]) > 8).length;
     // A white pane in the sheet's shadow.
     pane.position.set(-0.2, 0.8, -0.1);
     pane.rotation.set(-Math.PI / 2, 0, 0);
     Object.assign(pane.material, { transmission: 0.01 });
     const lookedUp = await rested(shadows, scene, camera);
-    return { masked, unlike: unlike(without, withPane), lookedUp, lit: redAt(renderer, camera, [-1.1, 0.8, 0.3]), shaded: redAt(renderer, camera, [-0.4, 0.8, 0.3]) };
+    return { masked, unlike: unlike(without, withPane), changed: changed(without, withPane), lookedUp, lit: redAt(renderer, camera, [-1.1, 0.8, 0.3]), shaded: redAt(renderer, camera, [-0.4, 0.8, 0.3]) };
   });
   console.log(told);
   assert.equal(told.masked, 0);
-  assert.ok(told.unlike < 150, `${told.unlike} pixels behind the pane show other shadows`);
+  assert.ok(told.changed > 100, 'the pane is there');
+  assert.equal(told.unlike, 0, 'pixels that show other shadows, two pixels beyond edges');
   assert.equal(told.lookedUp, 1);
   assert.ok(told.lit > 150 && told.shaded < 60, `${told.lit} and ${told.shaded}`);
 });

@@ -59,6 +59,9 @@ function plainRole(casts, side) {
   return (plainRoles[2 * side + casts] ??= made(casts, null, side));
 }
 
+/** Whether masks lack the shadow of a role. */
+const isLacked = ({ casts, cutsOut, tinting }) => Boolean((cutsOut && !casts) || tinting);
+
 /** Why a mesh's alpha isn't cut out exactly, apart from its texture: a clause, or ''. */
 function obstacleOf({ geometry, material }) {
   return material.vertexColors && geometry.attributes.color?.itemSize === 4 ? "casts as if its vertices' alpha were 1" : '';
@@ -104,6 +107,8 @@ export class Casters {
   #warnings;
   #cutsOut = false;
   #tints = false;
+  #lacked = false;
+  #cutoutsMoved = -Infinity;
 
   /**
    * `touched()` is called when the context's state has changed, `failed(sentence)` when a mesh can't
@@ -163,6 +168,16 @@ export class Casters {
     return this.#tints;
   }
 
+  /** Whether some meshes cast in lookups, and not in masks. */
+  get lackedByMasks() {
+    return this.#lacked;
+  }
+
+  /** When one of these last moved, as of performance.now(). */
+  get cutoutsMoved() {
+    return this.#cutoutsMoved;
+  }
+
   /** Resolves when no worker is busy; throws any error since the last call. */
   async settled() {
     while (this.#queue.calls.length) await Promise.all(this.#queue.calls);
@@ -182,7 +197,7 @@ export class Casters {
     this.advance();
     this.#round += 1;
     let count = 0;
-    this.#cutsOut = this.#tints = false;
+    this.#cutsOut = this.#tints = this.#lacked = false;
     const follow = (part, mesh) => {
       const role = roleOf(part, alphaTested, transparentCast);
       if (!role || this.#isLeftOut(part, role, mesh)) return;
@@ -190,6 +205,8 @@ export class Casters {
       this.#cutsOut ||= Boolean(role.cutsOut);
       this.#tints ||= Boolean(role.tinting);
       this.#followOne(part, role, mesh, fresh);
+      const { lacked, alphas, tints } = this.#meshes.get(part);
+      this.#lacked ||= lacked && Boolean(alphas[0]?.cutsOut || tints[0]);
     };
     for (const mesh of meshes) {
       const parts = this.#parts.of(mesh);
@@ -241,6 +258,7 @@ export class Casters {
     if (!had) this.#meshes.set(mesh, had = recordOf(whole));
     had.casts = role.casts;
     had.cutsOut = Boolean(role.cutsOut);
+    had.lacked = isLacked(role);
     had.round = this.#round;
     const posed = isPosed(mesh);
     if (posed) this.#pose(mesh, role, had);
@@ -370,6 +388,7 @@ export class Casters {
     const stays = had.shown === number && ids.length === places.length && places.every((matrix, i) => sameNumbers(had.places[i], matrix));
     if (stays) return;
     had.changed = performance.now();
+    if (had.lacked && had.shown !== null) this.#cutoutsMoved = had.changed;
     this.#revision += 1;
     while (ids.length > places.length) this.#masks.remove(ids.pop());
     for (const of of [had.alphas, had.tints]) of.length = Math.min(of.length, ids.length);

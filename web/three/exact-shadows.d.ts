@@ -37,9 +37,10 @@ export interface LightShadow {
   light: Light;
   /**
    * 'lookup': its map alone; 'lookup and movers': its map, and a mask of the casters that have moved;
-   * 'mask': a mask of all casters; 'none': no shadows yet.
+   * 'mask': a mask of all casters; 'mask and cutouts': the same, and a map of cutouts and tinting meshes
+   * alone, which is built in each frame in which the light or a caster has moved; 'none': no shadows yet.
    */
-  method: 'lookup' | 'lookup and movers' | 'mask' | 'none';
+  method: 'lookup' | 'lookup and movers' | 'mask' | 'mask and cutouts' | 'none';
   /** A clause. */
   reason: string;
 }
@@ -80,8 +81,9 @@ export class ExactShadows extends EventTarget {
   /**
    * How alpha-tested meshes with castShadow cast:
    *
-   * 'exact', the default: in lights that are looked up, what their alpha leaves; nothing in lights
-   * that move, have a radius, or are too many for `lookups`, as volumes can't follow holes.
+   * 'exact', the default: what their alpha leaves, in lights that are looked up, and, up to 1,000
+   * triangles of cutouts and tinting meshes in all, in those that move; nothing in lights that have a
+   * radius, or are too many for `lookups`, as volumes can't follow holes.
    * 'exact-or-whole': there they cast whole triangles.
    * 'whole': whole triangles in all lights, as if they had no holes.
    * 'none': nothing.
@@ -98,8 +100,9 @@ export class ExactShadows extends EventTarget {
    *
    * 'none', the default: nothing.
    * 'opaque': as if they were solid, in all lights.
-   * 'tint': in lights that are looked up, each lets through its color times its transmission, or one
-   * minus its opacity; what several let through is multiplied. Nothing in other lights.
+   * 'tint': in lights that are looked up, and in those that move as cutouts do, each lets through its
+   * color times its transmission, or one minus its opacity; what several let through is multiplied.
+   * Nothing in other lights.
    *
    * With transparent or alphaHash and transmission, that is color * (1 - opacity * (1 - transmission)). A
    * mesh whose triangles close it, like a box, counts once on a ray, others at each triangle. Textures,

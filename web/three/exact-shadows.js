@@ -5,6 +5,7 @@ import { mostLights, ShadowMasks } from '../masks/shadow-masks.js';
 import { AlphaTests, alphaTestedCasting } from './alpha-tests.js';
 import { Casters } from './casters.js';
 import { Clippings } from './clippings.js';
+import { CutoutMaps } from './cutout-maps.js';
 import { mostSlots, slotName } from './lit.glsl.js';
 import { MaskTextures } from './mask-textures.js';
 import { MaskViews } from './mask-views.js';
@@ -41,6 +42,7 @@ export class ExactShadows extends EventTarget {
   #masks = null;
   #casters = null;
   #resting = null;
+  #cutouts = null;
   #views = null;
   #texels = null;
   #warnings = new Warnings();
@@ -80,6 +82,7 @@ export class ExactShadows extends EventTarget {
     this.#masks?.forget();
     this.#casters?.forget();
     this.#resting?.forget();
+    this.#cutouts?.forget();
     this.#texels?.forget();
     this.#textures.clear();
   };
@@ -118,6 +121,7 @@ export class ExactShadows extends EventTarget {
           { touched: () => this.#resetRenderer(), failed: (message) => this.#tell(message) });
         this.#views = new MaskViews(renderer, masks, this.#casters, (view, viewport) => this.#show(view, viewport));
         this.#resting = new RestingLights(masks, this.#mostLookedUp, () => this.#resetRenderer());
+        this.#cutouts = new CutoutMaps(masks, () => this.#resetRenderer());
         this.#progress.invalidate();
         return undefined;
       },
@@ -187,8 +191,11 @@ export class ExactShadows extends EventTarget {
 
   /** How each casting light of the last picture is shadowed, and why. */
   get lights() {
-    return this.#lights.map(({ light }) => ({ light,
-      ...(this.#resting?.methodOf(light) ?? { method: 'none', reason: 'meshes are being prepared' }) }));
+    return this.#lights.map(({ light }, i) => {
+      const { method, reason } = this.#resting?.methodOf(light) ?? { method: 'none', reason: 'meshes are being prepared' };
+      const why = this.#cutouts?.whyNone(light);
+      return { light, method: this.#maps[i]?.alone ? 'mask and cutouts' : method, reason: why ? `${reason}; leaves and glass cast nothing: ${why}` : reason };
+    });
   }
 
   /** Use it in place of renderer.render(), or of a CubeCamera's update(). */
@@ -335,7 +342,7 @@ export class ExactShadows extends EventTarget {
     if (this.#lost) return null;
     this.#casters.advance();
     this.#texels.take();
-    const maps = this.#resting.follow(this.#lights, this.#isSettled);
+    const maps = this.#followMaps();
     for (let slot = 0; slot < mostSlots; ++slot) if (!maps.some((map) => map?.slot === slot)) this.#hideMap(slot);
     return this.#standing(maps);
   }
@@ -353,12 +360,18 @@ export class ExactShadows extends EventTarget {
     return { state: pending ? '' : `${this.#masks.casterState} ${shown}`, wait: pending || this.#resting.isUploading ? stepWait : waits };
   }
 
+  #followMaps() {
+    this.#resting.cutoutsMoved = this.#casters.cutoutsMoved;
+    const maps = this.#resting.follow(this.#lights, this.#isSettled);
+    return this.#cutouts.follow(this.#lights, maps, Math.min(this.#mostLookedUp, this.#patches.slots), this.#casters.lackedByMasks);
+  }
+
   /** Returns for each light the map that it is looked up in, or null. */
   #followLights() {
     this.#resting.most = this.#patches.slots;
     this.#resting.samples = this.lightSamples;
-    this.#maps = this.#resting.follow(this.#lights, this.#isSettled);
-    this.#lookedUp = this.#maps.filter(Boolean).length;
+    this.#maps = this.#followMaps();
+    this.#lookedUp = this.#maps.filter((map) => map && !map.alone).length;
     if (this.#casters.cutsOut || this.#casters.tints) this.#warnOfLights();
     return this.#maps;
   }
@@ -410,7 +423,7 @@ export class ExactShadows extends EventTarget {
     const { camera, casting, maps, masks } = view;
     let channel = 0;
     edgeshadeWays.value.set(maps.map((map) => wayOf(map, !map || (masks && needsMask(map)) ? channel++ : -1)));
-    edgeshadeIntensities.value.set(casting.intensities.map((intensity, i) => (masks || maps[i] ? intensity : 0)));
+    edgeshadeIntensities.value.set(casting.intensities.map((intensity, i) => (masks || (maps[i] && !maps[i].alone) ? intensity : 0)));
     edgeshadeMasked.value = masks ? 1 : 0;
     edgeshadeMasks.value = Array.from({ length: Math.ceil(maps.length / 4) }, () => null);
     edgeshadeNearness.value = null;

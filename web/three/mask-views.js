@@ -173,7 +173,7 @@ export class MaskViews {
   #drawMasks(view, lights, meshes, beside) {
     const { viewFromWorld, clipFromView, plane } = engineViewOf(view.camera);
     const { width, height } = view;
-    const { lightSamples } = this.#frame, lookups = view.maps.filter(needsMask).map((map) => map?.id);
+    const { lightSamples } = this.#frame, lookups = view.maps.filter(needsMask).map((map) => (map?.alone ? null : map?.id));
     const key = meshes === this.#frame.meshes && !plane
       ? `${viewFromWorld} ${clipFromView} ${[width, height, lightSamples]} ${JSON.stringify(lights)} ${lookups} ${this.#casters.revision}` : null;
     if (key !== null && this.#drawn?.key === key) { // nothing has moved since

@@ -21,8 +21,11 @@ const keyOf = ({ kind, position, direction, radius }, samples) => `${radius > 0 
  */
 const entryOf = (key, since, isSoft) => ({ key, since, isSoft, restMs, current: null, next: null, abort: null, problem: '' });
 
-/** Whether a mask is drawn of a light: of all casters, or of those that move over its map. */
-export const needsMask = (map) => !map || map.movers > 0;
+/**
+ * Whether a mask is drawn of a light: of all casters, or of those that move over its map, or beside
+ * a map of cutouts `alone`.
+ */
+export const needsMask = (map) => !map || map.movers > 0 || Boolean(map.alone);
 
 export class RestingLights {
   #masks;
@@ -45,6 +48,9 @@ export class RestingLights {
     this.#touched = touched;
   }
 
+  /** The time, as of performance.now(), at which a mesh that is cut out or tints last moved: no mask
+   * can show it over a map. */
+  cutoutsMoved = -Infinity;
   /** Points of lights with a radius. */
   samples = 64;
 
@@ -114,7 +120,7 @@ export class RestingLights {
       const lookup = entry[which];
       if (!lookup) continue;
       lookup.state = this.#masks.lookupState(lookup.id, numbers, Math.max(longRestMs, entry.restMs));
-      if (lookup.state.holds) continue;
+      if (lookup.state.holds && !(lookup.since < this.cutoutsMoved)) continue;
       // Casters that rest for less than this are likely to start again.
       if (lookup.map) entry.restMs = Math.min(Math.max(longRestMs, 2 * entry.restMs), longestRestMs);
       this.#remove(entry, which);
@@ -130,6 +136,7 @@ export class RestingLights {
     if (now - since < restMs) return 'it has moved within half a second';
     if (now - this.#restingSince < restMs) return 'casters have come, gone or started to move within half a second';
     if (isSoft && now - this.#castersSince < restMs) return 'it has a radius, and casters have moved within half a second';
+    if (now - this.cutoutsMoved < restMs) return 'leaves or glass have moved within half a second';
     if (current && !current.state.rested) return 'its map is built';
     const others = [...this.#entries.values()].filter((entry) => entry.current?.map ?? entry.next);
     return !current?.map && others.length >= this.#most ? `${this.#most} other lights are looked up` : '';
@@ -148,7 +155,8 @@ export class RestingLights {
   async #begin(light, numbers, entry) {
     const abort = new AbortController();
     entry.abort = abort;
-    const rest = entry.isSoft ? 0 : entry.restMs, since = performance.now() - rest;
+    // Meshes that are cut out or tint must not be left out: masks can't show them as movers.
+    const now = performance.now(), rest = entry.isSoft ? 0 : Math.min(entry.restMs, (now - this.cutoutsMoved) / 2), since = now - rest;
     try {
       const id = await this.#masks.buildLookup(numbers, { cutouts: true, tints: true, signal: abort.signal, restMs: rest, lightSamples: this.samples });
       if (id === null) return;
