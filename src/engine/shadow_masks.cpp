@@ -19,6 +19,7 @@
 #include <GLES2/gl2.h>
 #include <glm/gtc/type_ptr.hpp>
 #include <limits>
+#include <map>
 
 namespace edgeshade {
 namespace {
@@ -267,10 +268,31 @@ struct ShadowMasks::Impl {
         return made;
     }
 
+    /// Compares a lookup's casters and its light with the present ones.
+    LookupState compare(LookupId id, const Light& light, double restMs) {
+        LookupState state = drawing->casters.compare(drawing->lookups.held(id), restMs);
+        if (state.holds) held[id] = drawing->casters.casterState();
+        state.holds = state.holds && drawing->lookups.isOf(id, light);
+        if (state.holds && light.extent)
+            state.holds = state.movers == 0 && drawing->lookups.reaches(id, drawing->shoneOn());
+        return state;
+    }
+
+    /// Whether a lookup holds; compares casters of a light without an extent only if they have
+    /// changed since compare().
+    bool holds(LookupId id, const Light& light) {
+        const auto found = held.find(id);
+        const bool isKnown = !light.extent && found != held.end() &&
+                             found->second == drawing->casters.casterState();
+        return isKnown ? drawing->lookups.isOf(id, light)
+                       : compare(id, light, ShadowMasks::longRestMs).holds;
+    }
+
     gl::HostFunctions functions;
     std::optional<gl::OwnArrays> arrays; ///< empty: the host keeps its state itself
     std::optional<MaskDrawing> drawing;
-    double buildMs = 0.0; ///< since the last draw()
+    std::map<LookupId, std::size_t> held; ///< casterState() at which all casters of a lookup held
+    double buildMs = 0.0;                 ///< since the last draw()
     MaskCost cost;
 };
 
@@ -348,7 +370,7 @@ void ShadowMasks::draw(const MaskView& view, std::span<const MaskLight> lights,
                              std::to_string(i) + why);
         };
         if (!lookup(lookups[i]).uploaded) refuse(" isn't uploaded.");
-        if (!state(lookups[i], lights[i]).holds)
+        if (!impl_->holds(lookups[i], planned[i]))
             refuse(" no longer holds: the light or a caster in it has moved.");
     }
     Stopwatch watch;
@@ -450,17 +472,12 @@ std::size_t ShadowMasks::restingState() const {
 }
 
 LookupState ShadowMasks::state(LookupId id, const MaskLight& light, double restMs) const {
-    MaskDrawing& drawing = *impl_->drawing;
-    LookupState state = drawing.casters.compare(drawing.lookups.held(id), restMs);
-    const Light of = lightsOf({&light, 1}).front();
-    state.holds = state.holds && drawing.lookups.isOf(id, of);
-    if (state.holds && of.extent)
-        state.holds = state.movers == 0 && drawing.lookups.reaches(id, drawing.shoneOn());
-    return state;
+    return impl_->compare(id, lightsOf({&light, 1}).front(), restMs);
 }
 
 void ShadowMasks::removeLookup(LookupId id) {
     impl_->withStateKept([&] { impl_->drawing->lookups.remove(id); });
+    impl_->held.erase(id);
 }
 
 } // namespace edgeshade

@@ -245,7 +245,16 @@ TEST(MoverLookups, EndOnceACasterAtRestStarts) {
     EXPECT_EQ(masks.state(id, light).movers, 2u) << "counted until another map holds it";
     id = lookedUp(masks, light, {.restMs = 0.0});
     EXPECT_TRUE(masks.isCurrent(id, light)) << "all casters were in the map";
+    masks.draw(viewOf(corner), {&light, 1}, {&id, 1});
+    const auto refuses = [&](const MaskLight& of) {
+        EXPECT_THROW(masks.draw(viewOf(corner), {&of, 1}, {&id, 1}), std::runtime_error);
+    };
+    MaskLight moved = light;
+    moved.position[0] += 1.0;
+    moved.direction[0] += 1.0;
+    refuses(moved);
     masks.remove(walk.ground);
+    refuses(light);
     EXPECT_FALSE(masks.state(id, light).holds);
 }
 
