@@ -1,9 +1,12 @@
 #include "src/city/job_result.hpp"
 
 #include "preprocess/gltf/json_field.hpp"
+#include "src/city/byte_text.hpp"
+#include "src/city/json_text.hpp"
 #include "src/city/top_surface.hpp"
 #include "src/image/zlib.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -122,17 +125,13 @@ Bytes bytesOfResult(const JobResult& result) {
 
 JobResult resultFrom(const std::filesystem::path& path) {
     const Bytes bytes = readFile(path);
-    const auto end = std::find(bytes.begin(), bytes.end(), '\n');
-    Json json;
-    try {
-        json = Json::parse(bytes.begin(), end);
-    } catch (const nlohmann::json::exception& error) {
-        throw InputError("'" + path.string() +
-                         "' is not a result of city run: " + clauseOf(error.what()) + ".");
-    }
+    const std::string_view text = textOf(bytes);
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const Json json =
+        jsonFrom(text.substr(0, end), "'" + path.string() + "' is not a result of city run");
     const JsonField root(path, json, "the header");
     JobResult result = headerFrom(root);
-    const std::span<const std::uint8_t> stream(end == bytes.end() ? end : end + 1, bytes.end());
+    const auto stream = std::span(bytes).subspan(std::min(end + 1, bytes.size()));
     const std::optional<Bytes> planes = inflated(stream, bytesOfCell * result.cells.count());
     if (!planes)
         throw InputError("'" + path.string() + "' is cut short or broken: its " +
