@@ -15,6 +15,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::int64_t longestPreview = 1024;
 
+/// Words for surface kinds, in their order.
+constexpr const char* kindNames[] = {"none", "ground", "roof", "wall", "other"};
+
 /// The shortest text that reads back as the number.
 std::string textOf(double value) {
     char text[32];
@@ -69,6 +72,13 @@ Json mapReportOf(const CityMap& map, const Plan& plan) {
         sum += static_cast<std::uint64_t>(lit);
         ++count;
     }
+    Json kinds;
+    for (std::size_t kind = 0; kind < map.kinds.size(); ++kind)
+        if (const KindHours& of = map.kinds[kind]; of.cells > 0)
+            kinds[kindNames[kind]] = {
+                {"cells", of.cells},
+                {"mean_hours", map.hoursOfPosition * static_cast<double>(of.litSum) /
+                                   static_cast<double>(of.cells)}};
     const auto buildings = std::ranges::count_if(
         map.objects, [](const ObjectHours& object) { return object.object.isBuilding; });
     const double mean =
@@ -84,6 +94,7 @@ Json mapReportOf(const CityMap& map, const Plan& plan) {
             {"north", plan.schedule.north},
             {"positions", map.positions},
             {"hours", {{"min", map.hoursOf(least)}, {"mean", mean}, {"max", map.hoursOf(most)}}},
+            {"by_surface", std::move(kinds)},
             {"objects", map.objects.size()},
             {"buildings", buildings}};
 }
