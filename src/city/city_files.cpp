@@ -1,6 +1,7 @@
 #include "src/city/city_files.hpp"
 
-#include "preprocess/base/error.hpp"
+#include "src/city/byte_text.hpp"
+#include "src/city/json_text.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -13,6 +14,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::int64_t longestPreview = 1024;
+
+/// Words for surface kinds, in their order.
+constexpr const char* kindNames[] = {"none", "ground", "roof", "wall", "other"};
 
 /// The shortest text that reads back as the number.
 std::string textOf(double value) {
@@ -68,6 +72,13 @@ Json mapReportOf(const CityMap& map, const Plan& plan) {
         sum += static_cast<std::uint64_t>(lit);
         ++count;
     }
+    Json kinds;
+    for (std::size_t kind = 0; kind < map.kinds.size(); ++kind)
+        if (const KindHours& of = map.kinds[kind]; of.cells > 0)
+            kinds[kindNames[kind]] = {
+                {"cells", of.cells},
+                {"mean_hours", map.hoursOfPosition * static_cast<double>(of.litSum) /
+                                   static_cast<double>(of.cells)}};
     const auto buildings = std::ranges::count_if(
         map.objects, [](const ObjectHours& object) { return object.object.isBuilding; });
     const double mean =
@@ -83,6 +94,7 @@ Json mapReportOf(const CityMap& map, const Plan& plan) {
             {"north", plan.schedule.north},
             {"positions", map.positions},
             {"hours", {{"min", map.hoursOf(least)}, {"mean", mean}, {"max", map.hoursOf(most)}}},
+            {"by_surface", std::move(kinds)},
             {"objects", map.objects.size()},
             {"buildings", buildings}};
 }
@@ -114,23 +126,19 @@ std::string cityJsonWithHours(const CityMap& map, const Plan& plan, std::size_t 
         if (object.object.source == source) named.emplace(object.object.id, &object);
     const Source& of = plan.sources[source].source;
     const Bytes bytes = bytesOf(plan.folder, of, plan.reading);
-    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    std::string all;
+    const std::string_view text = textOf(bytes);
     const bool isSequence = of.kind == SourceKind::cityJsonSequence;
-    try {
-        for (std::size_t at = 0; at < text.size();) {
-            const std::size_t end =
-                isSequence ? std::min(text.find('\n', at), text.size()) : text.size();
-            const std::string_view part = text.substr(at, end - at);
-            at = end + 1;
-            if (part.find_first_not_of(" \t\r") == std::string_view::npos) continue;
-            Json json = Json::parse(part);
-            addHours(map, named, json);
-            all += json.dump() + "\n";
-        }
-    } catch (const nlohmann::json::exception& error) {
-        throw InputError("'" + (plan.folder / of.file).string() +
-                         "' has changed since the plan was made: " + clauseOf(error.what()) + ".");
+    std::string all;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end =
+            isSequence ? std::min(text.find('\n', at), text.size()) : text.size();
+        const std::string_view part = text.substr(at, end - at);
+        at = end + 1;
+        if (part.find_first_not_of(" \t\r") == std::string_view::npos) continue;
+        Json json = jsonFrom(part, "'" + (plan.folder / of.file).string() +
+                                       "' has changed since the plan was made");
+        addHours(map, named, json);
+        all += json.dump() + "\n";
     }
     return all;
 }

@@ -12,7 +12,7 @@ namespace edgeshade::city {
 std::string objectsCsvOf(const CityMap& map, const Plan& plan);
 
 /// {"jobs", "cells", "cells_with_surface", "grid", "epsg", "place", "positions", "hours" {"min",
-/// "mean", "max"}, "buildings", "objects", "sources"}.
+/// "mean", "max"}, "by_surface" {kind {"cells", "mean_hours"}}, "buildings", "objects", "sources"}.
 nlohmann::ordered_json mapReportOf(const CityMap& map, const Plan& plan);
 
 /// The map as a picture of at most 1024 pixels a side, north up, one cell for each pixel; clear

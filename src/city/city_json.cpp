@@ -1,6 +1,8 @@
 #include "src/city/city_json.hpp"
 
 #include "preprocess/gltf/json_field.hpp"
+#include "src/city/byte_text.hpp"
+#include "src/city/json_text.hpp"
 #include "src/city/lattice.hpp"
 #include "src/city/polygon_triangles.hpp"
 #include "src/city/tile_writer.hpp"
@@ -233,24 +235,14 @@ class Reading {
     std::size_t leftOut_ = 0;
 };
 
-Json parsed(std::string_view text, const std::filesystem::path& path, std::size_t line) {
-    try {
-        return Json::parse(text);
-    } catch (const nlohmann::json::exception& error) {
-        throw InputError("'" + path.string() + "'" +
-                         (line > 0 ? ", line " + std::to_string(line) : "") +
-                         " is not valid JSON: " + clauseOf(error.what()) + ".");
-    }
-}
-
 } // namespace
 
 CityTile tileFromCityJson(const Bytes& bytes, const std::filesystem::path& path, bool isSequence,
                           std::optional<double> lod) {
-    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    const std::string_view text = textOf(bytes);
     Reading reading(path, lod);
     if (!isSequence) {
-        const Json json = parsed(text, path, 0);
+        const Json json = jsonFrom(text, "'" + path.string() + "' is not valid JSON");
         const JsonField root(path, json);
         root.requireObject();
         reading.readHeader(root);
@@ -264,8 +256,8 @@ CityTile tileFromCityJson(const Bytes& bytes, const std::filesystem::path& path,
         at = end + 1;
         ++line;
         if (part.find_first_not_of(" \t\r") == std::string_view::npos) continue;
-        const Json json = parsed(part, path, line);
         const std::string name = "line " + std::to_string(line);
+        const Json json = jsonFrom(part, "'" + path.string() + "', " + name + " is not valid JSON");
         const JsonField root(path, json, name.c_str());
         root.requireObject();
         if (line == 1) {

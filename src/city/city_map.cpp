@@ -43,6 +43,9 @@ void addCells(const JobResult& result, CityMap& map, std::map<ObjectKey, ObjectH
         hours.least = hours.cells == 0 ? lit : std::min(hours.least, lit);
         hours.most = std::max(hours.most, lit);
         hours.litSum += lit;
+        KindHours& kind = map.kinds[static_cast<std::size_t>(result.kinds[cell])];
+        kind.litSum += lit;
+        ++kind.cells;
         ++hours.cells;
     }
 }

@@ -13,6 +13,12 @@ struct ObjectHours {
     std::uint16_t least = 0, most = 0;
 };
 
+/// The cells on surfaces of one kind, summed up.
+struct KindHours {
+    std::size_t cells = 0;
+    std::uint64_t litSum = 0;
+};
+
 /// All jobs of a plan in one.
 struct CityMap {
     CellRange region;
@@ -22,6 +28,7 @@ struct CityMap {
     std::vector<std::int32_t> lit;
     static constexpr std::int32_t nothing = -1;
     std::vector<ObjectHours> objects; ///< by source and name
+    std::array<KindHours, 5> kinds{}; ///< by SurfaceKind
     double hoursOfPosition = 0.0;     ///< hours that a position stands for
 
     double hoursOf(std::int32_t count) const { return count * hoursOfPosition; }

@@ -20,23 +20,31 @@ CityTile tileFromGltf(const GltfDocument& document, const glm::dmat4& frameFromG
     TileWriter writer(tile);
     const Scene scene = flattenScene(document, 0.0, {}, InstanceChoice::repeated);
     tile.warnings = scene.warnings.sentences();
-    std::map<int, std::uint32_t> numbers; // of objects, by node
+    struct NodeObject {
+        std::uint32_t number;
+        std::string where;
+    };
+    std::map<int, NodeObject> objects; // by node
+    const auto objectOf = [&](int node) -> const NodeObject& {
+        const auto found = objects.find(node);
+        if (found != objects.end()) return found->second;
+        const std::string title =
+            node < 0 ? "the scene" : nodeTitle(document, static_cast<std::size_t>(node));
+        return objects
+            .emplace(node, NodeObject{writer.addObject(title, true), document.where(title)})
+            .first->second;
+    };
     for (const Batch& batch : scene.batches) {
         if (batch.hidden) continue;
         const Geometry& geometry = *batch.geometry;
         const glm::dmat4 frameFromBatch = frameFromGltf * batch.worldFromBatch;
         for (std::uint32_t i = 0; i + 2 < geometry.indices.size(); i += 3) {
-            const int node = nodeOf(geometry, batch.placedBy, i);
-            const std::string title =
-                node < 0 ? "the scene" : nodeTitle(document, static_cast<std::size_t>(node));
-            auto found = numbers.find(node);
-            if (found == numbers.end())
-                found = numbers.emplace(node, writer.addObject(title, true)).first;
+            const NodeObject& object = objectOf(nodeOf(geometry, batch.placedBy, i));
             std::array<glm::dvec3, 3> corners;
             for (std::uint32_t c = 0; c < 3; ++c)
                 corners[c] = glm::dvec3(
                     frameFromBatch * glm::dvec4(geometry.positions[geometry.indices[i + c]], 1.0));
-            writer.addTriangle(corners, found->second, SurfaceKind::none, document.where(title));
+            writer.addTriangle(corners, object.number, SurfaceKind::none, object.where);
         }
     }
     return tile;

@@ -120,17 +120,12 @@ JobResult unlitResult(const ReadPlan& read, std::size_t number, const Surroundin
     result.positions = positions;
     const std::size_t count = job.cells.count();
     result.lit.assign(count, 0);
-    result.heights.assign(count, 0.0f);
     result.objects.assign(count, noSurface);
     result.kinds.assign(count, SurfaceKind::none);
     std::vector<std::uint32_t> numberOf(all.objects.size(), noSurface);
     for (std::size_t cell = 0; cell < count; ++cell) {
         if (tops[cell] == noSurface) continue;
         const CityTriangle& top = all.triangles[tops[cell]];
-        const auto at = static_cast<std::int64_t>(cell);
-        const double x = middleOf(job.cells.left + at % job.cells.columns(), read.plan.grid),
-                     y = middleOf(job.cells.bottom + at / job.cells.columns(), read.plan.grid);
-        result.heights[cell] = static_cast<float>(heightAt(top, x, y));
         if (numberOf[top.object] == noSurface) {
             numberOf[top.object] = static_cast<std::uint32_t>(result.named.size());
             result.named.push_back(all.objects[top.object]);
@@ -176,11 +171,12 @@ JobResult runJob(const ReadPlan& read, std::size_t number,
         std::vector<rays::SurfacePoint> points;
         for (std::size_t i = first; i < end; ++i) {
             const auto cell = static_cast<std::int64_t>(cells[i]);
-            const glm::dvec3 middle(
-                middleOf(job.cells.left + cell % job.cells.columns(), plan.grid),
-                middleOf(job.cells.bottom + cell / job.cells.columns(), plan.grid),
-                onLattice(double{result.heights[cells[i]]}));
-            points.push_back({middle - origin, glm::dvec3(0.0, 0.0, -1.0), tops[cells[i]]});
+            const double x = middleOf(job.cells.left + cell % job.cells.columns(), plan.grid),
+                         y = middleOf(job.cells.bottom + cell / job.cells.columns(), plan.grid);
+            const std::uint32_t top = tops[cells[i]];
+            // Any point of the vertical line would do; near the surface doubles decide most.
+            const glm::dvec3 above(x, y, onLattice(heightAt(all.triangles[top], x, y)));
+            points.push_back({above - origin, glm::dvec3(0.0, 0.0, -1.0), top});
         }
         const rays::LitBits bits = litRays.lit(points, directions, threads);
         for (std::size_t i = first; i < end; ++i)

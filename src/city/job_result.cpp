@@ -1,11 +1,12 @@
 #include "src/city/job_result.hpp"
 
 #include "preprocess/gltf/json_field.hpp"
+#include "src/city/byte_text.hpp"
+#include "src/city/json_text.hpp"
 #include "src/city/top_surface.hpp"
 #include "src/image/zlib.hpp"
 
-#include <bit>
-#include <cmath>
+#include <algorithm>
 
 namespace edgeshade::city {
 namespace {
@@ -14,8 +15,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::uint64_t version = 1;
 constexpr const char* versionKey = "edgeshade_city_job";
-/// Bytes of one cell: lit, height, object, kind.
-constexpr std::size_t bytesOfCell = 2 + 4 + 4 + 1;
+/// Bytes of one cell: lit, object, kind.
+constexpr std::size_t bytesOfCell = 2 + 4 + 1;
 constexpr std::uint64_t mostCells = std::uint64_t{1} << 26;
 
 template <class Number>
@@ -72,15 +73,13 @@ void readCells(const Bytes& bytes, const JsonField& root, JobResult& result) {
     for (std::size_t i = 0; i < count; ++i)
         result.lit.push_back(static_cast<std::uint16_t>(taking.take(2)));
     for (std::size_t i = 0; i < count; ++i)
-        result.heights.push_back(std::bit_cast<float>(taking.take(4)));
-    for (std::size_t i = 0; i < count; ++i)
         result.objects.push_back(taking.take(4));
     for (std::size_t i = 0; i < count; ++i)
         result.kinds.push_back(static_cast<SurfaceKind>(taking.take(1)));
     for (std::size_t i = 0; i < count; ++i) {
         const bool isObject = result.objects[i] < result.named.size();
-        if (result.lit[i] > result.positions || !std::isfinite(result.heights[i]) ||
-            result.kinds[i] > SurfaceKind::other || (!isObject && result.objects[i] != noSurface))
+        if (result.lit[i] > result.positions || result.kinds[i] > SurfaceKind::other ||
+            (!isObject && result.objects[i] != noSurface))
             root.fail(": cell " + std::to_string(i) + " is invalid");
     }
 }
@@ -107,8 +106,6 @@ Bytes bytesOfResult(const JobResult& result) {
     planes.reserve(bytesOfCell * cells.count());
     for (const std::uint16_t lit : result.lit)
         append(planes, lit);
-    for (const float height : result.heights)
-        append(planes, std::bit_cast<std::uint32_t>(height));
     for (const std::uint32_t object : result.objects)
         append(planes, object);
     for (const SurfaceKind kind : result.kinds)
@@ -122,17 +119,13 @@ Bytes bytesOfResult(const JobResult& result) {
 
 JobResult resultFrom(const std::filesystem::path& path) {
     const Bytes bytes = readFile(path);
-    const auto end = std::find(bytes.begin(), bytes.end(), '\n');
-    Json json;
-    try {
-        json = Json::parse(bytes.begin(), end);
-    } catch (const nlohmann::json::exception& error) {
-        throw InputError("'" + path.string() +
-                         "' is not a result of city run: " + clauseOf(error.what()) + ".");
-    }
+    const std::string_view text = textOf(bytes);
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const Json json =
+        jsonFrom(text.substr(0, end), "'" + path.string() + "' is not a result of city run");
     const JsonField root(path, json, "the header");
     JobResult result = headerFrom(root);
-    const std::span<const std::uint8_t> stream(end == bytes.end() ? end : end + 1, bytes.end());
+    const auto stream = std::span(bytes).subspan(std::min(end + 1, bytes.size()));
     const std::optional<Bytes> planes = inflated(stream, bytesOfCell * result.cells.count());
     if (!planes)
         throw InputError("'" + path.string() + "' is cut short or broken: its " +

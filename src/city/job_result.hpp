@@ -22,7 +22,6 @@ struct JobResult {
     CellRange cells;
     std::size_t positions = 0;          ///< of the sun, at most 65535
     std::vector<std::uint16_t> lit;     ///< number of positions that light the cell
-    std::vector<float> heights;         ///< metres; without meaning where there is no object
     std::vector<std::uint32_t> objects; ///< in `named`; noSurface: nothing is there
     std::vector<SurfaceKind> kinds;
     std::vector<ResultObject> named; ///< in the order of the first cell that each has

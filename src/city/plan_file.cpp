@@ -2,6 +2,8 @@
 
 #include "preprocess/base/sha256.hpp"
 #include "preprocess/gltf/json_field.hpp"
+#include "src/city/byte_text.hpp"
+#include "src/city/json_text.hpp"
 #include "src/hours/settings.hpp"
 
 namespace edgeshade::city {
@@ -145,13 +147,7 @@ std::string textOf(const Plan& plan) {
 
 ReadPlan planFrom(const std::filesystem::path& path) {
     const Bytes bytes = readFile(path);
-    Json json;
-    try {
-        json = Json::parse(bytes.begin(), bytes.end());
-    } catch (const nlohmann::json::exception& error) {
-        throw InputError("'" + path.string() +
-                         "' is not a plan of city plan: " + clauseOf(error.what()) + ".");
-    }
+    const Json json = jsonFrom(textOf(bytes), "'" + path.string() + "' is not a plan of city plan");
     const JsonField root(path, json);
     root.requireObject();
     const JsonField says = root.member(versionKey);

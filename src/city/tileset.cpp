@@ -1,8 +1,10 @@
 #include "src/city/tileset.hpp"
 
 #include "preprocess/gltf/json_field.hpp"
+#include "src/city/byte_text.hpp"
 #include "src/city/geodetic.hpp"
 #include "src/city/gltf_tile.hpp"
+#include "src/city/json_text.hpp"
 
 namespace edgeshade::city {
 namespace {
@@ -48,13 +50,7 @@ class Walk {
     void read(const std::string& file, const glm::dmat4& above, int nested) {
         const fs::path path = folder_ / file;
         const Bytes bytes = readFile(path, limits_.fileBytes);
-        Json json;
-        try {
-            json = Json::parse(bytes.begin(), bytes.end());
-        } catch (const nlohmann::json::exception& error) {
-            throw InputError("'" + path.string() +
-                             "' is not valid JSON: " + clauseOf(error.what()) + ".");
-        }
+        const Json json = jsonFrom(textOf(bytes), "'" + path.string() + "' is not valid JSON");
         const JsonField root(path, json);
         root.requireObject();
         root.member("asset").member("version").oneOf({"1.0", "1.1"});
@@ -83,6 +79,10 @@ class Walk {
     void readTile(const JsonField& tile, const fs::path& folder, const glm::dmat4& above, bool adds,
                   int nested, std::uint64_t depth) {
         tile.requireObject();
+        // Tilesets may name each other many times over.
+        if (++tiles_ > limits_.nodes)
+            tile.fail(" is the tileset's tile " + std::to_string(tiles_) + ", but at most " +
+                      std::to_string(limits_.nodes) + " are read");
         if (depth > limits_.nodeDepth)
             tile.fail(" is more than " + std::to_string(limits_.nodeDepth) + " levels deep");
         if (const auto implicit = tile.find("implicitTiling"))
@@ -132,6 +132,7 @@ class Walk {
     const fs::path& folder_;
     const ReadingLimits& limits_;
     glm::dmat4 frameFromTiles_{1.0};
+    std::uint64_t tiles_ = 0; ///< read so far
 };
 
 } // namespace

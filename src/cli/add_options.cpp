@@ -24,7 +24,7 @@ CLI::Option* addOption(CLI::App& verb, const std::string& name,
                        const std::function<void(const std::string&)>& use) {
     const Option& option = optionOf(verb.get_name(), name);
     if (!verb.get_name().empty() && option.setsDefault()) use(option.defaultText());
-    return verb.add_option_function<std::string>(name, use)->type_name(option.type);
+    return verb.add_option_function<std::string>(option.names, use)->type_name(option.type);
 }
 
 CLI::Option* addRepeated(CLI::App& verb, const std::string& name,

@@ -66,7 +66,7 @@ void addCityMergeCommand(CLI::App& program) {
     const auto options = std::make_shared<CityMergeOptions>();
     verb->add_option("PLAN", options->plan, "The plan, .json")->required();
     verb->add_option("RESULTS", options->results, "Folder of the jobs' results; PLAN.jobs if none");
-    addText(*verb, "-o", options->output)->required();
+    addText(*verb, "--output", options->output)->required();
     verb->callback([options] { merge(*options); });
 }
 

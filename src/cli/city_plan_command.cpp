@@ -86,7 +86,7 @@ void addCityPlanCommand(CLI::App& program) {
     const auto options = std::make_shared<CityPlanOptions>();
     CityPlanOptions& of = *options;
     verb->add_option("CITY", of.input, "A folder of tiles, or one")->required();
-    addText(*verb, "-o", of.output)->required();
+    addText(*verb, "--output", of.output)->required();
     CLI::Option* const place = addOption(*verb, "--place", [&of](const std::string& text) {
         of.place.reset();
         if (text == "auto") return;

@@ -41,7 +41,7 @@ void addCityRunCommand(CLI::App& program) {
     const auto options = std::make_shared<CityRunOptions>();
     verb->add_option("PLAN", options->plan, "The plan, .json")->required();
     addNumber(*verb, "--job", options->job)->required();
-    addText(*verb, "-o", options->output);
+    addText(*verb, "--output", options->output);
     verb->callback([options] { run(*options); });
 }
 

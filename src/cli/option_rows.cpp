@@ -14,7 +14,8 @@ constexpr Verbs pack = 1, info = 2, render = 4, compare = 8, bench = 16, tradeof
                 sunhours = 64, merge = 128, view = 256, cityPlan = 512, cityRun = 1024,
                 cityMerge = 2048;
 constexpr Verbs draws = render | compare | bench | view, lit = draws | tradeoff,
-                sees = lit | sunhours, reads = sees | pack | info, all = reads | merge;
+                sees = lit | sunhours, reads = sees | pack | info,
+                cities = cityPlan | cityRun | cityMerge, all = reads | merge | cities;
 
 Where usual(Verbs verbs) {
     return {verbs, verbs};
@@ -254,9 +255,9 @@ const std::vector<Option> sunlight = {
     {"--tiles N", whole(1, 1000000), "=1", usual(cityPlan), "Least number of targets",
      "Targets are squares of a power of two of cells, at least 16."},
     {"--job K", whole(1, 1e9), "", usual(cityRun), "Number of the job, from 1"},
-    {"-o FILE", "", usual(cityPlan), "The plan to write, .json"},
-    {"-o FOLDER", "PLAN.jobs", usual(cityRun), "Folder of results"},
-    {"-o FOLDER", "", usual(cityMerge),
+    {"-o,--output FILE", "", usual(cityPlan), "The plan to write, .json"},
+    {"-o,--output FOLDER", "PLAN.jobs", usual(cityRun), "Folder of results"},
+    {"-o,--output FOLDER", "", usual(cityMerge),
      "Folder to write hours.tif, objects.csv, preview.png and report.json into",
      "CityJSON sources come with the hours of their objects, as hours-NAME."},
     {"--offset D", from(0.0), "=0", sunhours, "Distance of sensors from their surfaces, in metres",
@@ -321,7 +322,7 @@ const std::vector<Option> measuring = {
      "processor's time on all cores, for a software GL on a busy machine."},
     {"--explain", render,
      "Say what is drawn of the shadow volumes, how and why, and what is left out"},
-    {"--report FILE", "", usual(all & ~(view | sunhours)),
+    {"--report FILE", "", usual(all & ~(view | sunhours | cities)),
      "Write a JSON report; - is standard output"},
     {"--report FILE", "", usual(sunhours),
      "Write a JSON report, or with --surfaces a page, .html; - is standard output",

@@ -70,7 +70,8 @@ struct Where {
 
 /// An option of one or more verbs, as help and docs/options.md explain it.
 struct Option {
-    std::string name;    ///< "--size"
+    std::string names;   ///< "--size", or "-o,--output"
+    std::string name;    ///< the last of these
     std::string type;    ///< its value's type in help: "WxH"; empty: a flag
     Values values;       ///< the values that it takes
     std::string initial; ///< the default: after a "=" the text that would set it, else in words
@@ -79,11 +80,12 @@ struct Option {
     std::string more;     ///< further sentences, for --help-all
     std::string needs{};  ///< options that it needs
 
-    /// `nameAndType`: "--size WxH".
+    /// `nameAndType`: "--size WxH", or "-o,--output FILE".
     Option(const std::string& nameAndType, Values values_, std::string initial_, Where where_,
            std::string sentence_, std::string more_ = "")
-        : name(nameAndType.substr(0, nameAndType.find(' '))),
-          type(nameAndType, std::min(name.size() + 1, nameAndType.size())),
+        : names(nameAndType.substr(0, nameAndType.find(' '))),
+          name(names.substr(names.find(',') + 1)),
+          type(nameAndType, std::min(names.size() + 1, nameAndType.size())),
           values(std::move(values_)), initial(std::move(initial_)), where(where_),
           sentence(std::move(sentence_)), more(std::move(more_)) {}
     /// Any text follows.

@@ -266,6 +266,11 @@ TEST(City, WritesHoursIntoCityJson) {
     ASSERT_NE(found, map.objects.end());
     EXPECT_EQ(hours, map.meanHoursOf(*found));
     EXPECT_GT(hours, 0.0);
+    // Seen from above, a city of solids and terrain has roofs and other ground, but no walls.
+    const auto kinds = mapReportOf(map, run.plan())["by_surface"];
+    EXPECT_TRUE(kinds.contains("roof") && kinds.contains("none"));
+    EXPECT_FALSE(kinds.contains("wall") || kinds.contains("ground"));
+    EXPECT_GT(kinds["roof"]["mean_hours"], kinds["none"]["mean_hours"]);
     // Everything else stays.
     auto stripped = json;
     for (auto& object : stripped["CityObjects"])

@@ -55,9 +55,10 @@ Ring reversed(Ring ring) {
     return ring;
 }
 
-class Building {
+class TileDrawing {
   public:
-    Building(const GeneratedCity& city, int tileX, int tileY) : city_(city), x_(tileX), y_(tileY) {}
+    TileDrawing(const GeneratedCity& city, int tileX, int tileY)
+        : city_(city), x_(tileX), y_(tileY) {}
 
     double heightOf(double x, double y) const {
         if (city_.hills == 0.0) return 0.0;
@@ -152,7 +153,7 @@ class Building {
 };
 
 std::vector<Object> objectsOf(const GeneratedCity& city, int x, int y) {
-    return Building(city, x, y).objects();
+    return TileDrawing(city, x, y).objects();
 }
 
 /// Triangles of a face; a frame around a hole is four quads.

@@ -48,6 +48,6 @@ with tempfile.TemporaryDirectory() as folder:
     assert gdal.Open("map/cog.tif").GetMetadataItem("LAYOUT", "IMAGE_STRUCTURE") == "COG"
     preview = gdal.Open("map/preview.png")
     assert (preview.RasterXSize, preview.RasterYSize) == (96, 96)
-    table = gdal.OpenEx("map/objects.csv").GetLayer(0)
-    assert sum(int(row.GetField("cells")) for row in table) == report["cells_with_surface"]
+    table = gdal.OpenEx("map/objects.csv")  # owns its layer
+    assert sum(int(row.GetField("cells")) for row in table.GetLayer(0)) == report["cells_with_surface"]
 print("read back")

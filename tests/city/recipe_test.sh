@@ -42,3 +42,8 @@ ls killed-*
 cmp whole/hours.tif map/hours.tif
 cmp whole/objects.csv map/objects.csv
 cmp whole/preview.png map/preview.png
+
+# A task of Slurm's array does the same job.
+cp plan.json.jobs/job-3.city job-3.city
+SLURM_ARRAY_TASK_ID=3 PATH=$(dirname "$edgeshade"):$PATH bash "$assets/recipes/city.slurm" plan.json
+cmp job-3.city plan.json.jobs/job-3.city

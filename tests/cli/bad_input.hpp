@@ -58,5 +58,6 @@ std::vector<BadInput> badOptionalParts();
 std::vector<BadInput> badImages();
 std::vector<BadInput> badCompression();
 std::vector<BadInput> badShadowData();
+std::vector<BadInput> badCities();
 
 } // namespace edgeshade::test

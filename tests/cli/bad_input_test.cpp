@@ -29,6 +29,7 @@ constexpr Kind kinds[] = {{"containers", badContainers},
                           {"images", badImages},
                           {"compression", badCompression},
                           {"packed shadow data", badShadowData},
+                          {"tiles of cities", badCities},
                           {"limits", badLimits}};
 
 std::vector<BadInput> wholeTable() {
@@ -45,6 +46,7 @@ class BadInputTest : public testing::TestWithParam<BadInput> {};
 ProcessResult run(const BadInput& row, const std::string& verb, const TempFolder& folder,
                   const std::filesystem::path& input) {
     std::vector<std::string> arguments = {verb, input};
+    if (verb.starts_with("city")) arguments.push_back("-o");
     if (verb != "info") arguments.push_back(folder / "output");
     if (verb == "render") arguments.insert(arguments.end(), {"--size", "16x16"});
     arguments.insert(arguments.end(), row.options.begin(), row.options.end());
