@@ -27,7 +27,7 @@ async function openScene(tab, address) {
   await tab.waitForSelector('.stage iframe:not([hidden]), .stage edgeshade-viewer:not([hidden])', { state: 'attached' });
   await sleep(settleMs);
   for (const frame of tab.frames()) // hours of sun are counted meanwhile
-    await frame.waitForFunction(() => !/Counting|\d+ of \d+ (sun )?positions/.test(document.body.innerText), null, { timeout: countMs });
+    await frame.waitForFunction(() => [...document.querySelectorAll('output')].every(({ textContent }) => !/Counting|\d+ of \d+ (sun )?positions/.test(textContent)), null, { timeout: countMs });
 }
 
 async function takeScenes(browser, address) {
