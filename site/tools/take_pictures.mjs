@@ -20,11 +20,14 @@ const scenes = { first: 'index.html', 'quick-start': 'three.html', hours: 'sun-h
 const shownPages = { home: 'index.html', gallery: 'gallery/index.html', 'gallery-page': 'gallery/house.html', quick: 'three.html',
   measured: 'docs/measured/gpu.html', method: 'docs/method/counting.html' };
 const settleMs = 9000; // masks, then lookups and smoothing
+const countMs = 100000; // hours of sun
 
 async function openScene(tab, address) {
   await tab.goto(address);
   await tab.waitForSelector('.stage iframe:not([hidden]), .stage edgeshade-viewer:not([hidden])', { state: 'attached' });
   await sleep(settleMs);
+  for (const frame of tab.frames()) // hours of sun are counted meanwhile
+    await frame.waitForFunction(() => [...document.querySelectorAll('output')].every(({ textContent }) => !/Counting|\d+ of \d+ (sun )?positions/.test(textContent)), null, { timeout: countMs });
 }
 
 async function takeScenes(browser, address) {

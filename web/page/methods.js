@@ -22,16 +22,18 @@ export function methodLines(lights) {
   return lights.length > most ? [...lines, `${lights.length - most} further lights`] : lines;
 }
 
-/** Keeps a list in step with the frames that the viewer draws, at most four times a second. */
+/** Keeps a list in step with the viewer, at most four times a second. */
 export function connectMethods(viewer, list) {
   let waiting = null;
   let shown = null;
   const show = () => {
     waiting = null;
-    const lines = methodLines(viewer.stats.lights);
+    const lines = methodLines(viewer.stats?.lights ?? []);
     if (lines.join('\n') === shown) return;
     shown = lines.join('\n');
     list.replaceChildren(...lines.map((line) => Object.assign(document.createElement('li'), { textContent: line })));
   };
-  viewer.addEventListener('frame', () => { waiting ??= setTimeout(show, 250); });
+  // The first frame of a scene comes with `load`, not `frame`.
+  for (const type of ['load', 'change', 'frame'])
+    viewer.addEventListener(type, () => { waiting ??= setTimeout(show, 250); });
 }

@@ -47,9 +47,9 @@ test('the panel says how each light is shadowed, and why', async () => {
   const lines = () => page.$$eval('#light-methods li', (items) => items.map((item) => item.textContent));
   await page.waitForFunction(() => /^Light 1: shadows are [a-z ]+; reason: .+\.$/.test(document.querySelector('#light-methods').textContent));
   assert.equal((await lines()).length, (await stateOf(page)).lights.length);
-  await page.check('input[name=left-shadows][value=map]', { force: true });
+  await page.evaluate(() => document.querySelector('#viewer').change({ left: { shadows: 'map' } }));
   await page.waitForFunction(() => document.querySelector('#light-methods').textContent === 'Light 1: shadows are sampled from a shadow map; as chosen.');
-  await page.click('#light-add');
+  await page.evaluate(() => document.querySelector('#viewer').run('addLight'));
   await page.waitForFunction(() => document.querySelectorAll('#light-methods li').length === 2);
   await shared.check(page);
 });
