@@ -3,6 +3,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { requireRelease } from '../three-webgpu/release.js';
 import { useBrowser } from './support/browser.mjs';
 
 const shared = useBrowser({ webGpu: true });
@@ -32,12 +33,15 @@ async function backendsDiffer(tools, { scene: name, lights }) {
   return results;
 }
 
-/** Scenes, their lights, and how many pixels may differ on edges: rounding of vertices moves outlines. */
-for (const [name, [lights, most]] of Object.entries({
-  yard: [[sun], 0],
-  pavilion: [[['DirectionalLight', [-0.62, 0.62, -0.3]]], 20],
-  instances: [[['PointLight', [1.5, 2.4, 1.2]]], 0],
-  lamps: [[['SpotLight', [0.5, 5, 1.5]], ['PointLight', [0.4, 1.6, 0.7]]], 0],
+/**
+ * Scenes, their lights, how many pixels may differ, and how many of these beyond edges: rounding of vertices and
+ * depths moves outlines, and shows another one of coinciding surfaces.
+ */
+for (const [name, [lights, most, mostBeyond]] of Object.entries({
+  yard: [[sun], 0, 0],
+  pavilion: [[['DirectionalLight', [-0.62, 0.62, -0.3]]], 20, 4],
+  instances: [[['PointLight', [1.5, 2.4, 1.2]]], 0, 0],
+  lamps: [[['SpotLight', [0.5, 5, 1.5]], ['PointLight', [0.4, 1.6, 0.7]]], 0, 0],
 }))
   test(`${name}: ${lights.map(([kind]) => kind)} looked up as by the other adapter`, async () => {
     const { WebGLRenderer, ...others } = await inPage(backendsDiffer, { scene: name, lights });
@@ -47,7 +51,7 @@ for (const [name, [lights, most]] of Object.entries({
     for (const [backend, { lookedUp, differ, beyond }] of Object.entries(others)) {
       assert.equal(lookedUp, lights.length, backend);
       assert.ok(differ <= most, `${differ} pixels of ${backend} differ`);
-      assert.equal(beyond, 0, `${beyond} pixels of ${backend} differ that are on no edge`);
+      assert.ok(beyond <= mostBeyond, `${beyond} pixels of ${backend} differ that are on no edge`);
     }
   });
 
@@ -82,6 +86,7 @@ test('movers have the shadows of three.js\'s own map, until another map holds th
       scene.add(ball);
       shadows.render(scene, camera);
       await shadows.ready();
+      await new Promise((resolve) => { requestAnimationFrame(() => requestAnimationFrame(resolve)); }); // three.js draws its map once a frame
       ball.position.x += 0.4; // it moves from now on
       const after = await tools.redOf(renderer, () => shadows.render(scene, camera));
       methods.push(shadows.lights[0].method);
@@ -126,4 +131,9 @@ test('lights have their own shadow nodes and maps\' sizes again afterwards, and 
   assert.deepEqual(told.sentences, ['ExactShadows of edgeshade/three-webgpu needs a WebGPURenderer of three.js.',
     "alphaTestedCast is 'exact', which is not one of whole, none in edgeshade/three-webgpu.",
     "transparentCast is 'tint', which is not one of none, opaque in edgeshade/three-webgpu.", 'These ExactShadows were disposed of.']);
+});
+
+test('releases of three.js that bind no textures again are refused', () => {
+  for (const revision of ['187', '188dev', '200']) requireRelease(revision);
+  assert.throws(() => requireRelease('186'), { message: 'ExactShadows of edgeshade/three-webgpu needs r187 of three.js or later, not r186.' });
 });

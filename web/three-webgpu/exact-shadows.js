@@ -1,5 +1,6 @@
 // Exact shadows in three.js's WebGPURenderer.
 
+import { REVISION } from 'three';
 import { isAlphaTested } from '../three/alpha-tests.js';
 import { Casters } from '../three/casters.js';
 import { Clippings } from '../three/clippings.js';
@@ -12,6 +13,7 @@ import { Warnings } from '../three/warnings.js';
 import { ShadowMasks } from '../masks/shadow-masks.js';
 import { LightShadows } from './light-shadows.js';
 import { memoryContext } from './memory-context.js';
+import { requireRelease } from './release.js';
 
 export { version } from '../element/version.js';
 
@@ -52,6 +54,7 @@ export class ExactShadows extends EventTarget {
   constructor(renderer, { alphaTestedCast = 'whole', transparentCast = 'none', lookups = 4 } = {}) {
     super();
     if (!renderer?.isWebGPURenderer) throw new Error('ExactShadows of edgeshade/three-webgpu needs a WebGPURenderer of three.js.');
+    requireRelease(REVISION);
     requireChoices({ alphaTestedCast, transparentCast });
     this.#renderer = renderer;
     this.alphaTestedCast = alphaTestedCast;

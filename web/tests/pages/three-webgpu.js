@@ -136,7 +136,6 @@ export const shadowsOf = (renderer, options) => (renderer.isWebGLRenderer ? new 
 /** A picture with all lights looked up: {lookedUp, red, methods}. */
 export async function lookedUp(backend, scene, camera, { lights = 1, ...options } = {}) {
   const renderer = await rendererOf(backend);
-  if (!renderer.isWebGLRenderer) renderer.highPrecision = true; // places vertices as a WebGLRenderer does: outlines are the same
   const shadows = shadowsOf(renderer, { lookups: 4, ...options }).add(scene);
   const found = await rested(shadows, scene, camera, lights);
   const red = await redOf(renderer, () => shadows.render(scene, camera));
