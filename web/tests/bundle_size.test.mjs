@@ -36,7 +36,7 @@ const bundlers = {
     const { build } = await import('vite');
     writeFileSync(join(folder, 'page.js'), script);
     const { output } = await build({ root: folder, configFile: false, logLevel: 'error',
-      build: { write: false, modulePreload: false, rolldownOptions: { input: join(folder, 'page.js'), external: ['three'] } } });
+      build: { write: false, modulePreload: false, rolldownOptions: { input: join(folder, 'page.js'), external: /^three($|\/)/ } } });
     const [{ code, modules: parts }] = output;
     return { code, modules: left(parts, 'renderedLength'),
       files: output.map((file) => [basename(file.fileName), file.code ?? file.source]) };
@@ -44,10 +44,13 @@ const bundlers = {
 };
 
 /** By entry: a page's script, a string of the entry's own modules that survives minifying, the
- * folders from which it may take modules, and its program. */
+ * folders from which it may take modules (its own, and others' of which `parts` has only some), and its
+ * program. */
 const entries = {
   three: { script: "import { ExactShadows } from 'edgeshade/three'; window.use = ExactShadows;", mark: 'edgeshadeNearness',
     folders: ['three', 'masks'], program: 'edgeshade-masks' },
+  'three-webgpu': { script: "import { ExactShadows } from 'edgeshade/three-webgpu'; window.use = ExactShadows;", mark: 'edgeshadeAtLeastZero',
+    folders: ['three-webgpu', 'three', 'masks'], parts: ['three'], program: 'edgeshade-masks' },
   masks: { script: "import { ShadowMasks } from 'edgeshade/masks'; window.use = ShadowMasks;", mark: 'mesh-worker',
     folders: ['masks'], program: 'edgeshade-masks' },
   element: { script: "import 'edgeshade';", mark: '<canvas', folders: ['element'], program: 'edgeshade' },
@@ -55,13 +58,13 @@ const entries = {
 
 for (const [bundler, bundle] of Object.entries(bundlers)) {
   test(`${bundler} takes what is imported, and nothing of the other entries`, { skip }, async () => {
-    for (const [name, { script, folders, program }] of Object.entries(entries)) {
+    for (const [name, { script, folders, parts = [], program }] of Object.entries(entries)) {
       const { code, modules: taken } = await bundle(script);
       const others = taken.filter((path) => !folders.includes(path.split('/')[0]));
       const shared = [...(folders.includes('element') ? [] : ['element/memory.js', 'element/webassembly.js']), `wasm/${program}.mjs`];
       assert.deepEqual(others.sort(), shared, name);
       for (const [other, { mark }] of Object.entries(entries))
-        assert.equal(code.includes(mark), folders.includes(other), `${name}: ${mark} of ${other}`);
+        assert.equal(code.includes(mark), folders.includes(other) && !parts.includes(other), `${name}: ${mark} of ${other}`);
     }
   });
 
@@ -69,6 +72,13 @@ for (const [bundler, bundle] of Object.entries(bundlers)) {
     const { code, modules: taken } = await bundle("import { ExactShadows } from 'edgeshade/three'; import { ShadowMasks } from 'edgeshade/masks'; window.used = 1;");
     assert.deepEqual(taken, []);
     assert.ok(code.length < 100, code);
+  });
+
+  test(`a page of ${bundler} has at most 39 KB of scripts by edgeshade/three-webgpu, compressed`, { skip }, async () => {
+    const { files: [[, code]] } = await bundle(entries['three-webgpu'].script);
+    const compressed = gzipSync(code, { level: 9 }).length;
+    console.log(bundler, { bytes: code.length, compressed });
+    assert.ok(compressed <= 39e3, `${compressed} bytes`);
   });
 
   test(`a page of ${bundler} has at most 49 KB of scripts by edgeshade/three, compressed, and 20 KB in each worker`, { skip }, async () => {
@@ -86,6 +96,7 @@ test('every entry has its types, by the rules of Node.js', { skip: skip || missi
   writeFileSync(join(folder, 'page.ts'), `import { hourColors, type EdgeshadeViewer } from 'edgeshade';
 import { ShadowMasks, type MaskMesh } from 'edgeshade/masks';
 import { ExactShadows } from 'edgeshade/three';
+import { ExactShadows as NodeShadows, type LightShadow } from 'edgeshade/three-webgpu';
 export const viewer: EdgeshadeViewer = document.createElement('edgeshade-viewer');
 export const mesh: MaskMesh = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0] };
 export const masks: Promise<ShadowMasks> = ShadowMasks.create(document.createElement('canvas').getContext('webgl')!);
@@ -95,6 +106,7 @@ export const onDemand = async (shadows: ExactShadows, ask: () => void): Promise<
   return shadows.needsUpdate;
 };
 export const bytes = (shadows: ExactShadows): number | undefined => shadows.cost?.bytes;
+export const methods = (shadows: NodeShadows): LightShadow['method'][] => shadows.lights.map(({ method }) => method);
 // @ts-expect-error: they have types, which are not any
 export const wrong: boolean = [hourColors, new ExactShadows(1 as never).lightSamples];
 `);

@@ -35,7 +35,7 @@ const ways = {
 };
 
 rmSync(dist, { recursive: true, force: true });
-for (const folder of ['element', 'masks', 'three', 'wasm']) {
+for (const folder of ['element', 'masks', 'three', 'three-webgpu', 'wasm']) {
   mkdirSync(`${dist}/${folder}`, { recursive: true });
   for (const name of readdirSync(`${built}/${folder}`))
     await Object.entries(ways).find(([end]) => name.endsWith(end))?.[1](`${folder}/${name}`);

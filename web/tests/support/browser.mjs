@@ -25,15 +25,16 @@ function withoutAntialiasing() {
 }
 
 /**
- * Call it at the top of a test file; `angle` as in chromium.mjs, `roots` as in server.mjs.
- * open(path, options) returns a page that has loaded its scene, without antialiasing by default; check(page) fails if anything was
+ * Call it at the top of a test file; `angle` and `webGpu` as in chromium.mjs, `roots` as in server.mjs.
+ * open(path, options) returns a page that has loaded its scene, without antialiasing by default; check(page)
+ * fails if anything was
  * reported to its console.
  */
-export function useBrowser({ angle, roots } = {}) {
+export function useBrowser({ angle, webGpu, roots } = {}) {
   const shared = {};
   before(async () => {
     shared.server = await serve(roots);
-    shared.browser = await launchChromium({ angle });
+    shared.browser = await launchChromium({ angle, webGpu });
   });
   after(async () => {
     await shared.browser?.close();

@@ -7,12 +7,15 @@ const flags = ['--headless=new', '--no-sandbox', '--use-gl=angle', '--enable-uns
   '--disable-background-networking', '--disable-component-update', '--disable-sync',
   '--js-flags=--expose-gc --liftoff-only'];
 
+/** Give pages an adapter of WebGPU that computes on SwiftShader's Vulkan. */
+const webGpuFlags = ['--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader'];
+
 /**
  * `angle`: the GL that Chromium draws with; gl-egl is the system's own, for example Mesa's software
- * renderer.
+ * renderer. `webGpu`: whether pages have WebGPU.
  */
-export const launchChromium = ({ angle = 'swiftshader' } = {}) => chromium.launch({
+export const launchChromium = ({ angle = 'swiftshader', webGpu = false } = {}) => chromium.launch({
   executablePath: process.env.EDGESHADE_CHROMIUM ?? '/usr/bin/chromium',
-  args: [...flags, `--use-angle=${angle}`],
+  args: [...flags, ...(webGpu ? webGpuFlags : []), `--use-angle=${angle}`],
   env: { EGL_PLATFORM: 'surfaceless', ...process.env },
 });

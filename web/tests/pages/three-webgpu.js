@@ -1,0 +1,168 @@
+// Tools for tests of edgeshade/three-webgpu in a page: the same scenes drawn by both renderers.
+
+import * as three from 'three';
+import { RenderTarget, WebGPURenderer } from 'three/webgpu';
+import { ExactShadows } from 'edgeshade/three';
+import { ExactShadows as NodeShadows } from 'edgeshade/three-webgpu';
+import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { comparedWithRays } from './rays.js';
+
+export const size = { width: 320, height: 240 };
+
+/**
+ * An initialised renderer with a canvas in the page. `backend`: 'WebGLRenderer', 'WebGL' or 'WebGPU', which
+ * draws into a texture, as Chromium has no canvas for SwiftShader's WebGPU.
+ */
+export async function rendererOf(backend, { width, height } = size) {
+  const renderer = backend === 'WebGLRenderer' ? new three.WebGLRenderer({ antialias: false, preserveDrawingBuffer: true })
+    : new WebGPURenderer({ antialias: false, forceWebGL: backend === 'WebGL' });
+  renderer.setPixelRatio(1);
+  renderer.setSize(width, height);
+  renderer.setClearColor(0x000000, 1);
+  await renderer.init?.();
+  if (backend === 'WebGPU') renderer.setRenderTarget(new RenderTarget(width, height));
+  document.body.append(renderer.domElement);
+  return renderer;
+}
+
+/** White wherever it is lit, whatever its slope. */
+export function white(settings = {}) {
+  const gradientMap = new three.DataTexture(new Uint8Array(8).fill(255), 2, 1, three.RedFormat);
+  gradientMap.needsUpdate = true;
+  return new three.MeshToonMaterial({ color: 0xffffff, gradientMap, ...settings });
+}
+
+/** A light that shows such surfaces as white, and its target. */
+export function lampOf(kind, position) {
+  const light = kind === 'DirectionalLight' ? new three.DirectionalLight(0xffffff, Math.PI)
+    : new three[kind](0xffffff, Math.PI, 0, ...(kind === 'SpotLight' ? [0.5, 0, 0] : [0]));
+  light.position.set(...position);
+  light.castShadow = true;
+  return light.target ? [light, light.target] : [light];
+}
+
+export function cameraOf({ from, to, fov = 45 }, { width, height } = size) {
+  const camera = new three.PerspectiveCamera(fov, width / height, 0.1, 200);
+  camera.position.set(...from);
+  camera.lookAt(...to);
+  return camera;
+}
+
+/** A mesh that casts and receives, at a place. */
+export function meshOf(geometry, material, place = [0, 0, 0]) {
+  const mesh = new three.Mesh(geometry, material);
+  mesh.position.set(...place);
+  mesh.castShadow = mesh.receiveShadow = true;
+  return mesh;
+}
+
+/** A ground, a box, a ball, a knot, and an open sheet, seen from both of its sides. */
+export function yard(material = white(), doubleSided = white({ side: three.DoubleSide })) {
+  const scene = new three.Scene();
+  const sheet = meshOf(new three.PlaneGeometry(1.6, 1.2), doubleSided, [-1.8, 0.9, 0.9]);
+  sheet.rotation.set(-0.9, 0.4, 0.2);
+  const knot = meshOf(new three.TorusKnotGeometry(0.5, 0.16, 64, 8), material, [1.6, 1.1, 0.9]);
+  const box = meshOf(new three.BoxGeometry(1, 1, 1), material, [0.2, 0.8, -0.4]);
+  box.rotation.y = 0.4;
+  scene.add(meshOf(new three.BoxGeometry(8, 0.2, 8), material, [0, -0.1, 0]), box, knot,
+    meshOf(new three.SphereGeometry(0.6, 24, 12), material, [-1.2, 0.6, -1.2]), sheet);
+  return { scene, box, knot, sheet };
+}
+
+export const yardView = { from: [4.5, 4, 6], to: [0, 0.5, 0] };
+
+/** The sample, white. */
+export async function pavilion() {
+  const draco = new DRACOLoader().setDecoderPath(import.meta.resolve('three/addons/libs/draco/gltf/'));
+  const { scene } = await new GLTFLoader().setDRACOLoader(draco).loadAsync('/assets/pavilion.glb');
+  draco.dispose();
+  scene.traverse((mesh) => {
+    if (!mesh.isMesh) return;
+    mesh.castShadow = mesh.receiveShadow = true;
+    mesh.material = white({ side: mesh.material.side });
+  });
+  const all = new three.Scene();
+  all.add(scene);
+  return all;
+}
+
+/** 30 posts, instances of one mesh, on a ground. */
+export function posts() {
+  const scene = new three.Scene();
+  const all = new three.InstancedMesh(new three.CylinderGeometry(0.12, 0.12, 1.2, 10), white(), 30);
+  const place = new three.Matrix4();
+  for (let i = 0; i < 30; ++i) all.setMatrixAt(i, place.makeRotationZ(0.05 * i).setPosition(-2.5 + (i % 6), 0.6, -2.4 + 1.2 * Math.floor(i / 6)));
+  all.castShadow = all.receiveShadow = true;
+  scene.add(all, meshOf(new three.BoxGeometry(8, 0.2, 8), all.material, [0, -0.1, 0]));
+  return scene;
+}
+
+/** {scene, camera} by name. */
+export async function sceneOf(name) {
+  if (name === 'pavilion') return { scene: await pavilion(), camera: cameraOf({ from: [-2.6, 3.6, 10.2], to: [0.2, 1.3, -0.2] }) };
+  return { scene: name === 'instances' ? posts() : yard().scene, camera: cameraOf(yardView) };
+}
+
+/** Draws until as many lights are looked up, for at most 20 seconds. Returns their number. */
+export async function rested(shadows, scene, camera, lights = 1) {
+  shadows.render(scene, camera);
+  await shadows.ready();
+  shadows.render(scene, camera);
+  for (const since = performance.now(); shadows.cost.lookedUp !== lights && performance.now() - since < 20000;) {
+    await new Promise((resolve) => { setTimeout(resolve, 100); });
+    shadows.render(scene, camera);
+  }
+  return shadows.cost.lookedUp;
+}
+
+/** The red bytes of what draw() draws, one per pixel, rows from the top. */
+export async function redOf(renderer, draw) {
+  const { domElement, domElement: { width, height } } = renderer;
+  const target = renderer.getRenderTarget();
+  if (target) {
+    draw();
+    return (await renderer.readRenderTargetPixelsAsync(target, 0, 0, width, height)).filter((_, i) => i % 4 === 0);
+  }
+  const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
+  draw();
+  context.drawImage(domElement, 0, 0); // in the task that drew it
+  return context.getImageData(0, 0, width, height).data.filter((_, i) => i % 4 === 0);
+}
+
+/** Shadows for a renderer, by its kind. */
+export const shadowsOf = (renderer, options) => (renderer.isWebGLRenderer ? new ExactShadows(renderer, options) : new NodeShadows(renderer, options));
+
+/** A picture with all lights looked up: {lookedUp, red, methods}. */
+export async function lookedUp(backend, scene, camera, { lights = 1, ...options } = {}) {
+  const renderer = await rendererOf(backend);
+  const shadows = shadowsOf(renderer, { lookups: 4, ...options }).add(scene);
+  const found = await rested(shadows, scene, camera, lights);
+  const red = await redOf(renderer, () => shadows.render(scene, camera));
+  const methods = shadows.lights.map(({ method, reason }) => `${method}: ${reason}`);
+  shadows.dispose();
+  renderer.dispose();
+  renderer.domElement.remove();
+  return { lookedUp: found, red, methods };
+}
+
+/**
+ * {differ: pixels whose light differs, beyond: those with no boundary of the first picture within a pixel,
+ * shadow: dark ones, lit} of two pictures.
+ */
+export function compared(a, b) {
+  const { width } = size;
+  const around = [-1, 0, 1].flatMap((row) => [-1, 0, 1].map((column) => row * width + column));
+  let differ = 0, beyond = 0, shadow = 0, lit = 0;
+  for (let i = 0; i < a.length; ++i) {
+    const differs = Math.abs(a[i] - b[i]) > 2;
+    differ += differs;
+    beyond += differs && around.every((step) => a[i + step] === undefined || a[i + step] === a[i]);
+    shadow += a[i] < 20;
+    lit += a[i] > 200;
+  }
+  return { differ, beyond, shadow, lit };
+}
+
+export { comparedWithRays, NodeShadows, three };
+window.page = { ready: true };

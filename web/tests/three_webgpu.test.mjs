@@ -1,0 +1,139 @@
+// edgeshade/three-webgpu: lights at rest in a WebGPURenderer are looked up as in a WebGLRenderer, pixel
+// for pixel, by both back ends.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { requireRelease } from '../three-webgpu/release.js';
+import { useBrowser } from './support/browser.mjs';
+
+const shared = useBrowser({ webGpu: true });
+
+/** Runs `act(page, given)` with the tools of pages/three-webgpu.js in a page. Returns its result. */
+async function inPage(act, given) {
+  const page = await shared.open('/tests/three-webgpu.html', { scene: false, size: { width: 400, height: 300 } });
+  await page.waitForFunction(() => window.page);
+  const told = await page.evaluate(async ([text, value]) => (0, eval)(`(${text})`)(await import('/tests/three-webgpu.js'), value), [act.toString(), given]);
+  await shared.check(page, [/GPU stall due to ReadPixels/]);
+  return told;
+}
+
+const sun = ['DirectionalLight', [0.5, 1, -0.3]];
+
+/** Both back ends' pictures of a scene beside the other adapter's. */
+async function backendsDiffer(tools, { scene: name, lights }) {
+  const results = {};
+  const { camera, scene } = await tools.sceneOf(name);
+  for (const light of lights) scene.add(...tools.lampOf(...light));
+  const pictures = {};
+  for (const backend of ['WebGLRenderer', 'WebGL', 'WebGPU']) {
+    pictures[backend] = await tools.lookedUp(backend, scene, camera, { lights: lights.length });
+    const { lookedUp, red, methods } = pictures[backend];
+    results[backend] = { lookedUp, methods, ...tools.compared(pictures.WebGLRenderer.red, red) };
+  }
+  return results;
+}
+
+/**
+ * Scenes, their lights, how many pixels may differ, and how many of these beyond edges: rounding of vertices and
+ * depths moves outlines, and shows another one of coinciding surfaces.
+ */
+for (const [name, [lights, most, mostBeyond]] of Object.entries({
+  yard: [[sun], 0, 0],
+  pavilion: [[['DirectionalLight', [-0.62, 0.62, -0.3]]], 20, 4],
+  instances: [[['PointLight', [1.5, 2.4, 1.2]]], 0, 0],
+  lamps: [[['SpotLight', [0.5, 5, 1.5]], ['PointLight', [0.4, 1.6, 0.7]]], 0, 0],
+}))
+  test(`${name}: ${lights.map(([kind]) => kind)} looked up as by the other adapter`, async () => {
+    const { WebGLRenderer, ...others } = await inPage(backendsDiffer, { scene: name, lights });
+    console.log(name, { WebGLRenderer, ...others });
+    assert.equal(WebGLRenderer.lookedUp, lights.length);
+    assert.ok(WebGLRenderer.shadow > 1000 && WebGLRenderer.lit > 5000, 'the picture has light and shadow');
+    for (const [backend, { lookedUp, differ, beyond }] of Object.entries(others)) {
+      assert.equal(lookedUp, lights.length, backend);
+      assert.ok(differ <= most, `${differ} pixels of ${backend} differ`);
+      assert.ok(beyond <= mostBeyond, `${beyond} pixels of ${backend} differ that are on no edge`);
+    }
+  });
+
+test('signs of sums that all but cancel are exact in both back ends, though not in floats', async () => {
+  const told = await inPage(async ({ rendererOf }) => {
+    const { exactSigns } = await import('/tests/exact-signs.js');
+    return { WebGL: await exactSigns(await rendererOf('WebGL')), WebGPU: await exactSigns(await rendererOf('WebGPU')) };
+  });
+  console.log(told);
+  for (const { count, wrong, mirrored, inFloats } of Object.values(told)) {
+    assert.deepEqual([wrong, mirrored], [0, 0]);
+    assert.ok(inFloats > 0.02 * count, `${inFloats} of ${count} are wrong in floats`);
+  }
+});
+
+test('movers have the shadows of three.js\'s own map, until another map holds them', async () => {
+  const told = await inPage(async (tools) => {
+    const results = {};
+    for (const backend of ['WebGL', 'WebGPU']) {
+      const renderer = await tools.rendererOf(backend);
+      const { scene, camera } = await tools.sceneOf('yard');
+      scene.add(...tools.lampOf('DirectionalLight', [2.5, 5, -1.5]));
+      const shadows = tools.shadowsOf(renderer).add(scene);
+      const methods = [shadows.lights.length];
+      shadows.render(scene, camera);
+      methods.push(shadows.lights[0].method);
+      await tools.rested(shadows, scene, camera);
+      methods.push(shadows.lights[0].method);
+      const before = await tools.redOf(renderer, () => shadows.render(scene, camera));
+      const ball = tools.meshOf(new tools.three.SphereGeometry(0.5, 16, 12), tools.white(), [-0.5, 1.2, 2.2]);
+      ball.geometry.computeBoundingSphere();
+      scene.add(ball);
+      shadows.render(scene, camera);
+      await shadows.ready();
+      await new Promise((resolve) => { requestAnimationFrame(() => requestAnimationFrame(resolve)); }); // three.js draws its map once a frame
+      ball.position.x += 0.4; // it moves from now on
+      const after = await tools.redOf(renderer, () => shadows.render(scene, camera));
+      methods.push(shadows.lights[0].method);
+      const { x, y } = new tools.three.Vector3(-0.1 - 0.5 * 1.2, 0, 2.2 + 0.3 * 1.2).project(camera); // below the ball, along the light
+      const { width, height } = tools.size;
+      const at = Math.floor((0.5 - 0.5 * y) * height) * width + Math.floor((0.5 + 0.5 * x) * width);
+      results[backend] = { methods, before: before[at], after: after[at] };
+      shadows.dispose();
+    }
+    return results;
+  });
+  console.log(told);
+  for (const { methods, before, after } of Object.values(told)) {
+    assert.deepEqual(methods, [0, 'map', 'lookup', 'lookup and movers']);
+    assert.ok(before > 200 && after < 100, `${before}, then ${after} below the ball`);
+  }
+});
+
+test('lights have their own shadow nodes and maps\' sizes again afterwards, and bad choices are refused', async () => {
+  const told = await inPage(async (tools) => {
+    const renderer = await tools.rendererOf('WebGL');
+    const { scene, camera } = await tools.sceneOf('yard');
+    const [light, target] = tools.lampOf('DirectionalLight', [0.5, 1, -0.3]);
+    scene.add(light, target);
+    const shadows = tools.shadowsOf(renderer).add(scene);
+    await tools.rested(shadows, scene, camera);
+    const during = [Boolean(light.shadow.shadowNode), renderer.shadowMap.enabled];
+    shadows.dispose();
+    const after = [Boolean(light.shadow.shadowNode), renderer.shadowMap.enabled, ...light.shadow.mapSize.toArray()];
+    const refused = [() => new tools.NodeShadows({ isWebGLRenderer: true }), () => tools.shadowsOf(renderer, { alphaTestedCast: 'exact' }),
+      () => tools.shadowsOf(renderer, { transparentCast: 'tint' }), () => shadows.render(scene, camera)];
+    return { during, after, sentences: refused.map((act) => {
+      try {
+        act();
+        return '';
+      } catch ({ message }) {
+        return message;
+      }
+    }) };
+  });
+  assert.deepEqual([told.during, told.after], [[true, true], [false, false, 512, 512]]);
+  assert.deepEqual(told.sentences, ['ExactShadows of edgeshade/three-webgpu needs a WebGPURenderer of three.js.',
+    "alphaTestedCast is 'exact', which is not one of whole, none in edgeshade/three-webgpu.",
+    "transparentCast is 'tint', which is not one of none, opaque in edgeshade/three-webgpu.", 'These ExactShadows were disposed of.']);
+});
+
+test('releases of three.js that bind no textures again are refused', () => {
+  for (const revision of ['187', '188dev', '200']) requireRelease(revision);
+  assert.throws(() => requireRelease('186'), { message: 'ExactShadows of edgeshade/three-webgpu needs r187 of three.js or later, not r186.' });
+});

@@ -1,0 +1,216 @@
+// Exact shadows in three.js's WebGPURenderer.
+
+import { REVISION } from 'three';
+import { isAlphaTested } from '../three/alpha-tests.js';
+import { Casters } from '../three/casters.js';
+import { Clippings } from '../three/clippings.js';
+import { Progress } from '../three/progress.js';
+import { RestingLights } from '../three/resting-lights.js';
+import { castingLights } from '../three/scene-lights.js';
+import { isSeeThrough } from '../three/see-through.js';
+import { ancestorTakesPart, visibleOf } from '../three/visible-objects.js';
+import { Warnings } from '../three/warnings.js';
+import { ShadowMasks } from '../masks/shadow-masks.js';
+import { LightShadows } from './light-shadows.js';
+import { memoryContext } from './memory-context.js';
+import { requireRelease } from './release.js';
+
+export { version } from '../element/version.js';
+
+/** Choices of how alpha-tested and see-through meshes cast: their lookups have neither holes nor tints. */
+const choices = { alphaTestedCast: ['whole', 'none'], transparentCast: ['none', 'opaque'] };
+
+function requireChoices(chosen) {
+  for (const [name, all] of Object.entries(choices))
+    if (!all.includes(chosen[name])) throw new Error(`${name} is '${chosen[name]}', which is not one of ${all.join(', ')} in edgeshade/three-webgpu.`);
+}
+
+/** Alpha-tested casters' alpha in the form of ShadowMasks.setAlpha(): lookups have whole triangles. */
+const wholeAlpha = { of: ({ opacity, alphaTest }) => ({ texture: null, channel: 'alpha', opacity, cutoff: alphaTest,
+  texcoordTransform: [1, 0, 0, 0, 1, 0, 0, 0, 1], cutsOut: false, texels: null, why: '' }) };
+
+/** Milliseconds between steps outside of frames, and between looks at lights that rest. */
+const stepWait = 16, lightWait = 100;
+
+export class ExactShadows extends EventTarget {
+  #renderer;
+  #masks = null;
+  #casters = null;
+  #resting = null;
+  #shadows;
+  #warnings = new Warnings();
+  #lights = []; // {light: three.js's, numbers: MaskLight} of the last picture
+  #maps = [];   // their maps, or null
+  #progress = new Progress(() => this.#goOn(), () => this.dispatchEvent(new Event('change')));
+  #mostLookedUp;
+  #starting;
+  #problem = null;
+  #disposed = false;
+  #roots = new Set();
+  #last = null; // {scene, camera} of the last update()
+  #radii = new WeakMap();
+  #hadShadows;
+
+  constructor(renderer, { alphaTestedCast = 'whole', transparentCast = 'none', lookups = 4 } = {}) {
+    super();
+    if (!renderer?.isWebGPURenderer) throw new Error('ExactShadows of edgeshade/three-webgpu needs a WebGPURenderer of three.js.');
+    requireRelease(REVISION);
+    requireChoices({ alphaTestedCast, transparentCast });
+    this.#renderer = renderer;
+    this.alphaTestedCast = alphaTestedCast;
+    this.transparentCast = transparentCast;
+    this.#mostLookedUp = lookups;
+    this.#hadShadows = renderer.shadowMap.enabled;
+    renderer.shadowMap.enabled = true; // otherwise three.js asks no shadow node
+    this.#shadows = new LightShadows((mesh, light) => this.#casters?.castingOf(mesh, this.#resting.heldSinceOf(light)) ?? 0,
+      (material) => this.#casts(material));
+    this.#starting = this.#start().catch((error) => {
+      this.#problem = error;
+      this.#tell(error.message);
+    });
+  }
+
+  async #start() {
+    const masks = await ShadowMasks.create(memoryContext(), { keepsState: false });
+    if (this.#disposed) {
+      masks.dispose();
+      return;
+    }
+    this.#masks = masks;
+    const unclipped = new Clippings({ clippingPlanes: [], localClippingEnabled: false });
+    this.#casters = new Casters(masks, wholeAlpha, unclipped, this.#warnings, { touched() {}, failed: (message) => this.#tell(message) });
+    this.#resting = new RestingLights(masks, this.#mostLookedUp, () => {});
+    this.#progress.invalidate();
+  }
+
+  /** Includes everything below an object from now on, including later additions. */
+  add(object) {
+    this.#roots.add(object);
+    return this;
+  }
+
+  remove(object) {
+    this.#roots.delete(object);
+    return this;
+  }
+
+  /** Sets the extent of a light: three.js's own map softens its shadows. 0: hard. */
+  setRadius(light, radius) {
+    this.#radii.set(light, radius);
+    return this;
+  }
+
+  /** Resolves once everything in the last update() has its shadows. Throws any error. */
+  async ready() {
+    await this.#starting;
+    if (this.#problem) throw this.#problem;
+    while (this.#last && !this.#disposed) {
+      this.#follow(this.#last);
+      await this.#casters?.settled();
+      if (!this.#casters?.pending) return;
+      await new Promise((resolve) => { setTimeout(resolve); }); // the page goes on between steps
+    }
+  }
+
+  /** Whether one more frame would look different, though the scene hasn't changed. */
+  get needsUpdate() {
+    return this.#progress.needsUpdate;
+  }
+
+  /** Resolves when the last picture is final until the scene changes. Throws any error. */
+  get settled() {
+    return this.#starting.then(async () => {
+      if (this.#problem) throw this.#problem;
+      await this.#progress.settled;
+      await this.#casters?.settled();
+    });
+  }
+
+  /** {bytes of lights' maps, pending meshes, lights looked up}, or null. */
+  get cost() {
+    if (!this.#masks) return null;
+    const maps = this.#maps.filter(Boolean);
+    return { bytes: maps.reduce((sum, { bytes }) => sum + bytes, 0), pending: this.#casters.pending, lookedUp: maps.length };
+  }
+
+  /** Why resting lights are not looked up, by light, if known. */
+  get notLookedUp() {
+    return this.#resting?.whys ?? new Map();
+  }
+
+  /** How each casting light of the last picture is shadowed, and why. */
+  get lights() {
+    return this.#lights.map(({ light }) => this.#shadows.methodOf(light, this.#resting?.methodOf(light)));
+  }
+
+  /** Use it in place of renderer.render(). */
+  render(scene, camera) {
+    this.update(scene, camera);
+    this.#renderer.render(scene, camera);
+  }
+
+  /** Follows the scene for the host's own render() right after it; returns whether any light is looked up. */
+  update(scene, camera) {
+    if (this.#disposed) throw new Error('These ExactShadows were disposed of.');
+    requireChoices(this);
+    this.#last = { scene, camera };
+    const { lights, meshes } = this.#follow(this.#last);
+    const { sources, lights: numbers } = castingLights(lights, (light) => this.#radii.get(light) ?? 0);
+    this.#lights = sources.map((light, i) => ({ light, numbers: numbers[i] }));
+    this.#maps = this.#resting ? this.#resting.follow(this.#lights, this.#isSettled) : sources.map(() => null);
+    this.#shadows.show(sources, this.#maps, meshes);
+    if (this.#masks) this.#progress.drawn(this.#standing());
+    return this.#maps.some(Boolean);
+  }
+
+  /** Frees everything; lights have three.js's own shadows again. */
+  dispose() {
+    this.#disposed = true;
+    this.#progress.stop();
+    this.#last = null;
+    this.#shadows.clear();
+    this.#renderer.shadowMap.enabled = this.#hadShadows;
+    this.#casters = null;
+    this.#resting?.forget();
+    this.#resting = null;
+    this.#masks?.dispose();
+    this.#masks = null;
+  }
+
+  /** Whether a material's surfaces cast, if their mesh does. */
+  #casts(material) {
+    if (!material?.visible) return false;
+    return isAlphaTested(material) ? this.alphaTestedCast === 'whole' : !isSeeThrough(material) || this.transparentCast === 'opaque';
+  }
+
+  /** Follows the scene's current state. Returns the lights and meshes that the camera sees. */
+  #follow({ scene, camera }) {
+    if (scene.matrixWorldAutoUpdate !== false) scene.updateMatrixWorld();
+    if (camera.parent === null && camera.matrixWorldAutoUpdate !== false) camera.updateMatrixWorld();
+    const seen = visibleOf(scene, camera, ancestorTakesPart(scene, this.#roots) ? new Set([scene]) : this.#roots);
+    this.#casters?.follow(seen.meshes, this.alphaTestedCast, this.transparentCast);
+    return seen;
+  }
+
+  /** Goes on between frames. */
+  #goOn() {
+    this.#casters.advance();
+    return this.#standing(this.#resting.follow(this.#lights, this.#isSettled));
+  }
+
+  get #isSettled() {
+    return this.#casters.pending === 0;
+  }
+
+  /** The state that a frame would show, and when to go on, for Progress. */
+  #standing(maps = this.#maps) {
+    const shown = maps.map((map) => map && `${map.id} ${map.movers}`);
+    const waits = this.#resting.isWaiting(this.#lights) ? lightWait : Infinity;
+    return { state: this.#isSettled ? `${this.#masks.casterState} ${shown}` : '', wait: !this.#isSettled || this.#resting.isUploading ? stepWait : waits };
+  }
+
+  /** Reports what stays wrong. */
+  #tell(message) {
+    this.dispatchEvent(new ErrorEvent('error', { message }));
+  }
+}

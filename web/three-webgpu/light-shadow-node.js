@@ -1,0 +1,84 @@
+// A light's shadow node, which three.js takes from light.shadow.shadowNode: it looks the light up in
+// its primitive map, and samples three.js's own map of the casters that this lacks.
+
+import { BackSide } from 'three';
+import { bool, float, Fn, frontFacing, If, Loop, min, mix, reference, renderGroup, uniform } from 'three/tsl';
+import { ShadowBaseNode } from 'three/webgpu';
+import { lookUp, placeOnTriangle } from './lookup.js';
+import { MapNodes } from './map-nodes.js';
+import { ownMapOf } from './own-map.js';
+
+export class LightShadowNode extends ShadowBaseNode {
+  #map = new MapNodes();
+  #casters = new Set();
+  #drawsOwn = uniform(0, 'int').setGroup(renderGroup);
+  #own;
+  #casts;
+  #isHigher = false;
+
+  static get type() {
+    return 'EdgeshadeLightShadowNode';
+  }
+
+  /** `casts(mesh)`: whether all of a mesh casts. */
+  constructor(light, casts) {
+    super(light);
+    this.updateBeforeType = 'none';
+    this.#own = ownMapOf(light, this.#casters, () => {
+      const { width, height } = light.shadow.mapSize;
+      return { width, height: this.#isHigher ? height - 1 : height };
+    });
+    this.#casts = uniform(0, 'int').onObjectUpdate(({ object }) => (casts(object) ? 1 : 0));
+  }
+
+  /**
+   * `map`: of RestingLights, or null; `others`: casters for three.js's own map; `refresh`: whether what
+   * casts() says has changed.
+   */
+  show(map, others, refresh) {
+    this.#casters.clear();
+    for (const mesh of others) this.#casters.add(mesh);
+    const before = this.#drawsOwn.value;
+    this.#drawsOwn.value = this.#casters.size > 0 ? 1 : 0;
+    // three.js's own map may have another size than when it was last drawn.
+    if (this.#map.show(map) || refresh || before < this.#drawsOwn.value) this.#rebind();
+  }
+
+  setup({ material }) {
+    const front = material.side === BackSide ? bool(true) : frontFacing; // the backs are the map's fronts
+    const intensity = reference('intensity', 'float', this.light.shadow).setGroup(renderGroup);
+    return Fn(() => {
+      const place = placeOnTriangle();
+      const lit = float(1).toVar();
+      // A loop, since a branch doesn't keep software renderers from sampling a map that isn't there.
+      Loop({ start: 0, end: this.#map.present, type: 'int', condition: '<', name: 'lookup' }, () => {
+        lookUp({ map: this.#map, directional: Boolean(this.light.isDirectionalLight), place,
+          casts: this.#casts.equal(1).toVar(), held: this.#drawsOwn.equal(0), front, lit });
+      });
+      const shown = mix(1, lit, intensity).toVar();
+      If(this.#drawsOwn.equal(1), () => { shown.assign(min(shown, float(this.#own))); });
+      return shown;
+    })();
+  }
+
+  /**
+   * Makes three.js bind textures again, and ask for the uniforms of objects that rest: it does so when
+   * light.shadow.mapSize changes. The map that it draws keeps its size.
+   */
+  #rebind() {
+    this.light.shadow.mapSize.height += this.#isHigher ? -1 : 1;
+    this.#isHigher = !this.#isHigher;
+  }
+
+  dispose() {
+    this.#own.dispose();
+    super.dispose();
+  }
+
+  /** Frees the map's table, too. */
+  end() {
+    if (this.#isHigher) this.#rebind();
+    this.dispose();
+    this.#map.dispose();
+  }
+}

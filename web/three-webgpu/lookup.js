@@ -1,0 +1,147 @@
+// Whether a resting light reaches a fragment, by its primitive map, in TSL: as
+// shaders_es2/host/lookup.glsl and primitive_map_lookup.glsl (docs/method.md, C34 to C36).
+
+import { abs, Break, clamp, cross, dFdx, dFdy, dot, float, floor, If, int, length, Loop, max, positionWorld, screenCoordinate, screenSize, select,
+  uint, vec2, vec3 } from 'three/tsl';
+import { floatSum, isAtLeastZero } from './exact-sign.js';
+
+/** Entries of the longest list, or more; levels of divided texels, or more. */
+const longest = 3072, mostLevels = 64;
+
+/** A float's rounding, as a share. */
+const unit = 2 ** -24;
+
+const largest = (of) => max(max(of.x, of.y), of.z);
+
+/**
+ * Error of an interpolated position, in units of a float's rounding, estimated from its change
+ * between pixels: rasterisers may compute it starting at any of the picture's corners.
+ */
+function positionError(position, along, up) {
+  const { x, y } = screenCoordinate;
+  const change = abs(along).mul(max(x, screenSize.x.sub(x))).add(abs(up).mul(max(y, screenSize.y.sub(y)))).toVar();
+  return change.x.add(change.y).add(change.z).mul(8).div(max(largest(abs(position)), 1e-36));
+}
+
+/** The fragment's place on its triangle: call it outside of branches, as it takes derivatives. */
+export function placeOnTriangle() {
+  const position = positionWorld.toVar();
+  const along = dFdx(position).toVar(), up = dFdy(position).toVar();
+  return { position, normal: cross(along, up).toVar(), error: positionError(position, along, up).toVar() };
+}
+
+/** The ray of a point, its depth, and its place on its tile. */
+function rayOf(map, point, directional) {
+  const at = vec2(point.x, point.y).toVar(), depth = float(point.z).toVar(), tile = float(0).toVar();
+  if (directional) return { ray: vec3(point.x, point.y, 1).toVar(), at, depth, tile };
+  If(map.sixTiles.equal(1), () => {
+    const size = abs(point).toVar();
+    const take = (across, along, number) => {
+      at.assign(across);
+      depth.assign(abs(along));
+      tile.assign(select(along.greaterThan(0), float(number), float(number + 1)));
+    };
+    If(size.x.greaterThanEqual(size.y).and(size.x.greaterThanEqual(size.z)), () => take(vec2(point.y, point.z), point.x, 0))
+      .ElseIf(size.y.greaterThanEqual(size.z), () => take(vec2(point.z, point.x), point.y, 2))
+      .Else(() => take(vec2(point.x, point.y), point.z, 4));
+  });
+  at.divAssign(max(depth, 1e-36));
+  return { ray: point, at, depth, tile };
+}
+
+/** The header of the texel at a place of a tile, in divided texels, too. */
+function headerAt(map, at, tile) {
+  const place = at.mul(map.size.mul(0.5)).add(map.size.mul(0.5)).toVar();
+  const cell = clamp(floor(place), vec2(0), vec2(map.size.sub(1))).toVar();
+  const texel = tile.mul(map.size).add(cell.y).mul(map.size).add(cell.x).toVar();
+  const header = vec2(0).toVar();
+  Loop({ start: int(0), end: int(mostLevels), type: 'int', condition: '<', name: 'level' }, () => {
+    header.assign(map.header(uint(texel)));
+    If(header.y.greaterThanEqual(0), () => { Break(); });
+    place.assign(place.sub(cell).mul(4));
+    cell.assign(clamp(floor(place), vec2(0), vec2(3)));
+    texel.assign(cell.y.mul(4).add(cell.x).sub(header.y));
+  });
+  return header;
+}
+
+/** Whether a ray is inside all edges of a triangle, or on them. */
+function isInside(edges, ray) {
+  const sums = edges.map((edge) => floatSum(edge, ray));
+  const inside = sums.map(({ sum, error }) => sum.greaterThanEqual(error.negate())).reduce((all, one) => all.and(one)).toVar();
+  const certain = sums.map(({ sum, error }) => sum.greaterThan(error)).reduce((all, one) => all.and(one));
+  // A loop, since a branch doesn't keep software renderers from computing all of it.
+  Loop({ start: int(0), end: select(inside.and(certain.not()), int(3), int(0)), type: 'int', condition: '<', name: 'edge' }, ({ edge }) => {
+    const one = select(edge.equal(int(0)), edges[0], select(edge.equal(int(1)), edges[1], edges[2]));
+    inside.assign(inside.and(isAtLeastZero(one, ray).equal(int(1))));
+  });
+  return inside;
+}
+
+/** How a ray meets a record's triangle: {meets, height: of the point behind its plane, tolerance}. */
+function meeting(map, record, ray, point, directional) {
+  const first = uint(record).mul(uint(3)).toVar();
+  const [a, b, c] = [0, 1, 2].map((i) => map.record(first.add(uint(i))).toVar());
+  const behind = a.w.mul(ray.x).add(b.w.mul(ray.y)).add(c.w.mul(ray.z)).toVar();
+  const slope = abs(a.w).add(abs(b.w)).add(abs(c.w));
+  return { meets: isInside([a.xyz, b.xyz, c.xyz], ray), height: (directional ? point.z.sub(behind) : behind.sub(1)).toVar(),
+    tolerance: slope.add(1).mul(64 * unit).toVar() };
+}
+
+/** Makes `lit` 0 where a listed triangle blocks the ray to the point (C35). */
+function askList(map, header, { ray, depth }, point, directional, casts, lit) {
+  const list = floor(header.y).toVar();
+  const isEmpty = header.y.equal(0).or(casts.and(header.y.greaterThan(list)));
+  const own = float(0).toVar(), distance = float(1e30).toVar(), foremost = float(-1e30).toVar(), apart = float(0).toVar();
+  Loop({ start: int(0), end: select(isEmpty, int(0), int(longest)), type: 'int', condition: '<', name: 'nth' }, ({ nth }) => {
+    const entry = map.entry(uint(list).add(uint(nth))).toVar();
+    const record = floor(entry.x).toVar();
+    const { meets, height, tolerance } = meeting(map, record, ray, point, directional);
+    If(meets, () => {
+      If(height.greaterThan(tolerance), () => {
+        lit.assign(0);
+        Break();
+      });
+      If(abs(height).lessThanEqual(tolerance), () => {
+        foremost.assign(max(foremost, height));
+        apart.assign(max(apart, tolerance.mul(0.125)));
+        If(abs(height).lessThan(distance), () => {
+          distance.assign(abs(height));
+          own.assign(height);
+        });
+      });
+    });
+    If(depth.lessThanEqual(entry.y), () => { Break(); }); // all further ones are deeper
+    If(casts.and(entry.x.greaterThan(record)), () => { Break(); }); // or only points that don't cast test them
+  });
+  If(casts.and(foremost.greaterThan(own.add(apart))), () => { lit.assign(0); });
+}
+
+/**
+ * Makes `lit`, 1, 0 where the light doesn't reach the fragment. `map`: MapNodes; `directional`: the
+ * light's kind; `place`: of placeOnTriangle(); `casts`: whether all triangles there are casters, and
+ * `held`: in the map; `front`: whether the triangle's front is visible.
+ */
+export function lookUp({ map, directional, place: { position, normal, error }, casts, held, front, lit }) {
+  const [x, y, z, offset] = [0, 1, 2, 3].map((column) => map.mapFromWorld.element(int(column)).xyz.toVar());
+  const point = x.mul(position.x).add(y.mul(position.y)).add(z.mul(position.z)).add(offset).toVar();
+  const terms = abs(x.mul(position.x)).add(abs(y.mul(position.y))).add(abs(z.mul(position.z))).add(abs(offset)).toVar();
+  const off = error.add(16).mul(unit).mul(max(largest(terms), 1)).toVar();
+  const across = cross(y, z).mul(normal.x).add(cross(z, x).mul(normal.y)).add(cross(x, y).mul(normal.z)).toVar();
+  across.divAssign(max(length(across), 1e-36));
+  const lightSide = (directional ? across.z.negate() : dot(across, point).negate()).toVar();
+  const eyeSide = dot(across, map.eye.xyz.sub(map.eye.w.mul(point)));
+  const away = lightSide.mul(eyeSide).lessThan(0).toVar();
+  If(lightSide.lessThan(0), () => { across.assign(across.negate()); });
+  point.addAssign(across.mul(select(away, off.mul(-2).sub(256 * unit), off)));
+  If(away.and(casts), () => { lit.assign(0); }).Else(() => {
+    const ray = rayOf(map, point, directional);
+    const isOnTile = max(abs(ray.at.x), abs(ray.at.y)).lessThanEqual(1);
+    If(directional ? isOnTile : isOnTile.and(ray.depth.greaterThan(0)), () => {
+      const header = headerAt(map, ray.at, ray.tile);
+      If(ray.depth.greaterThan(header.x), () => { lit.assign(0); }).Else(() => {
+        askList(map, header, ray, point, directional, casts.and(held).and(front).toVar(), lit);
+      });
+    });
+  });
+}
