@@ -27,8 +27,7 @@ function withoutAntialiasing() {
 /**
  * Call it at the top of a test file; `angle` and `webGpu` as in chromium.mjs, `roots` as in server.mjs.
  * open(path, options) returns a page that has loaded its scene, without antialiasing by default; check(page)
- * fails if anything was
- * reported to its console.
+ * fails if anything was reported to its console.
  */
 export function useBrowser({ angle, webGpu, roots } = {}) {
   const shared = {};
