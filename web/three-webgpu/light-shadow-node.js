@@ -1,7 +1,7 @@
 // A light's shadow node, which three.js takes from light.shadow.shadowNode: it looks the light up in
 // its primitive map, and samples three.js's own map of the casters that this lacks.
 
-import { BackSide } from 'three';
+import { BackSide, Vector2 } from 'three';
 import { bool, float, Fn, frontFacing, If, Loop, min, mix, reference, renderGroup, uniform, vec3 } from 'three/tsl';
 import { ShadowBaseNode } from 'three/webgpu';
 import { lookUp, placeOnTriangle } from './lookup.js';
@@ -14,7 +14,8 @@ export class LightShadowNode extends ShadowBaseNode {
   #drawsOwn = uniform(0, 'int').setGroup(renderGroup);
   #own;
   #casts;
-  #isHigher = false;
+  #isHigher = false; // light.shadow.mapSize, by one texel
+  #ownSize = new Vector2();
 
   /** Whether lookups have tinted triangles: for shaders that are compiled later. */
   tints = false;
@@ -28,8 +29,9 @@ export class LightShadowNode extends ShadowBaseNode {
     super(light);
     this.updateBeforeType = 'none';
     this.#own = ownMapOf(light, this.#casters, () => {
-      const { width, height } = light.shadow.mapSize;
-      return { width, height: this.#isHigher ? height - 1 : height };
+      this.#ownSize.copy(light.shadow.mapSize);
+      if (this.#isHigher) this.#ownSize.height -= 1;
+      return this.#ownSize;
     });
     this.#casts = uniform(0, 'int').onObjectUpdate(({ object }) => (casts(object) ? 1 : 0));
   }
