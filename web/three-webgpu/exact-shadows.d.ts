@@ -11,16 +11,13 @@ export interface ExactShadowsOptions {
   /** See ExactShadows.alphaTestedCast. Default: 'whole'. */
   alphaTestedCast?: NodeAlphaTestedCast;
   /** See ExactShadows.transparentCast. Default: 'none'. */
-  transparentCast?: NodeTransparentCast;
+  transparentCast?: TransparentCast;
   /** Most lights that are looked up at once while they rest. Default: 4. */
   lookups?: number;
 }
 
 /** How alpha-tested meshes with castShadow cast. */
 export type NodeAlphaTestedCast = Extract<AlphaTestedCast, 'whole' | 'none'>;
-
-/** How see-through meshes with castShadow cast. */
-export type NodeTransparentCast = Extract<TransparentCast, 'none' | 'opaque'>;
 
 /** How a casting light is shadowed. */
 export interface LightShadow {
@@ -53,8 +50,8 @@ export class ExactShadows extends EventTarget {
 
   /** 'whole', the default: all of their triangles; 'none': nothing. */
   alphaTestedCast: NodeAlphaTestedCast;
-  /** 'none', the default: nothing; 'opaque': as if they were solid. */
-  transparentCast: NodeTransparentCast;
+  /** As in edgeshade/three; three.js's own maps have no tints. */
+  transparentCast: TransparentCast;
 
   /** Includes everything below an object from now on, including later additions. */
   add(object: Object3D): this;

@@ -17,8 +17,8 @@ import { requireRelease } from './release.js';
 
 export { version } from '../element/version.js';
 
-/** Choices of how alpha-tested and see-through meshes cast: their lookups have neither holes nor tints. */
-const choices = { alphaTestedCast: ['whole', 'none'], transparentCast: ['none', 'opaque'] };
+/** Choices of how alpha-tested and see-through meshes cast: lookups have no holes here. */
+const choices = { alphaTestedCast: ['whole', 'none'], transparentCast: ['none', 'opaque', 'tint'] };
 
 function requireChoices(chosen) {
   for (const [name, all] of Object.entries(choices))
@@ -158,7 +158,7 @@ export class ExactShadows extends EventTarget {
     const { sources, lights: numbers } = castingLights(lights, (light) => this.#radii.get(light) ?? 0);
     this.#lights = sources.map((light, i) => ({ light, numbers: numbers[i] }));
     this.#maps = this.#resting ? this.#resting.follow(this.#lights, this.#isSettled) : sources.map(() => null);
-    this.#shadows.show(sources, this.#maps, meshes);
+    this.#shadows.show(sources, this.#maps, meshes, Boolean(this.#casters?.tints));
     if (this.#masks) this.#progress.drawn(this.#standing());
     return this.#maps.some(Boolean);
   }

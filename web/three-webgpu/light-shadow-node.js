@@ -1,8 +1,8 @@
 // A light's shadow node, which three.js takes from light.shadow.shadowNode: it looks the light up in
 // its primitive map, and samples three.js's own map of the casters that this lacks.
 
-import { BackSide } from 'three';
-import { bool, float, Fn, frontFacing, If, Loop, min, mix, reference, renderGroup, uniform } from 'three/tsl';
+import { BackSide, Vector2 } from 'three';
+import { bool, float, Fn, frontFacing, If, Loop, min, mix, reference, renderGroup, uniform, vec3 } from 'three/tsl';
 import { ShadowBaseNode } from 'three/webgpu';
 import { lookUp, placeOnTriangle } from './lookup.js';
 import { MapNodes } from './map-nodes.js';
@@ -14,7 +14,11 @@ export class LightShadowNode extends ShadowBaseNode {
   #drawsOwn = uniform(0, 'int').setGroup(renderGroup);
   #own;
   #casts;
-  #isHigher = false;
+  #isHigher = false; // light.shadow.mapSize, by one texel
+  #ownSize = new Vector2();
+
+  /** Whether lookups have tinted triangles: for shaders that are compiled later. */
+  tints = false;
 
   static get type() {
     return 'EdgeshadeLightShadowNode';
@@ -25,23 +29,24 @@ export class LightShadowNode extends ShadowBaseNode {
     super(light);
     this.updateBeforeType = 'none';
     this.#own = ownMapOf(light, this.#casters, () => {
-      const { width, height } = light.shadow.mapSize;
-      return { width, height: this.#isHigher ? height - 1 : height };
+      this.#ownSize.copy(light.shadow.mapSize);
+      if (this.#isHigher) this.#ownSize.height -= 1;
+      return this.#ownSize;
     });
     this.#casts = uniform(0, 'int').onObjectUpdate(({ object }) => (casts(object) ? 1 : 0));
   }
 
   /**
-   * `map`: of RestingLights, or null; `others`: casters for three.js's own map; `refresh`: whether what
-   * casts() says has changed.
+   * `map`: of RestingLights, or null; `others`: casters for three.js's own map; `changed`: whether
+   * what casts() says is another.
    */
-  show(map, others, refresh) {
+  show(map, others, changed) {
     this.#casters.clear();
     for (const mesh of others) this.#casters.add(mesh);
     const before = this.#drawsOwn.value;
     this.#drawsOwn.value = this.#casters.size > 0 ? 1 : 0;
     // three.js's own map may have another size than when it was last drawn.
-    if (this.#map.show(map) || refresh || before < this.#drawsOwn.value) this.#rebind();
+    if (this.#map.show(map) || changed || before < this.#drawsOwn.value) this.#rebind();
   }
 
   setup({ material }) {
@@ -49,14 +54,14 @@ export class LightShadowNode extends ShadowBaseNode {
     const intensity = reference('intensity', 'float', this.light.shadow).setGroup(renderGroup);
     return Fn(() => {
       const place = placeOnTriangle();
-      const lit = float(1).toVar();
+      const share = { lit: float(1).toVar(), tint: this.tints ? vec3(1).toVar() : null };
       // A loop, since a branch doesn't keep software renderers from sampling a map that isn't there.
       Loop({ start: 0, end: this.#map.present, type: 'int', condition: '<', name: 'lookup' }, () => {
         lookUp({ map: this.#map, directional: Boolean(this.light.isDirectionalLight), place,
-          casts: this.#casts.equal(1).toVar(), held: this.#drawsOwn.equal(0), front, lit });
+          casts: this.#casts.equal(1).toVar(), held: this.#drawsOwn.equal(0), front, share });
       });
-      const shown = mix(1, lit, intensity).toVar();
-      If(this.#drawsOwn.equal(1), () => { shown.assign(min(shown, float(this.#own))); });
+      const shown = mix(vec3(1), vec3(share.tint ? share.tint.mul(share.lit) : share.lit), intensity).toVar();
+      If(this.#drawsOwn.equal(1), () => { shown.assign(min(shown, vec3(float(this.#own)))); });
       return shown;
     })();
   }

@@ -3,12 +3,15 @@
 import { LightShadowNode } from './light-shadow-node.js';
 
 /** Compiles what the light is in again: three.js asks for its shadow node then. */
-const refresh = (light) => light.dispose();
+const compileAgain = (light) => light.dispose();
+
+/** Whether some or all (`which`) of a mesh's materials pass a test. */
+const passes = ({ material }, which, test) => (Array.isArray(material) ? material[which](test) : test(material));
 
 export class LightShadows {
   #castingOf;
   #casts;
-  #cast = new Map(); // by mesh: whether all of it cast in the last picture
+  #cast = new WeakMap(); // by mesh: whether all of it cast in the last picture
   #nodes = new Map(); // by light: {node, before: its shadow node before, others: casters for three.js's own map}
 
   /**
@@ -21,20 +24,24 @@ export class LightShadows {
   }
 
   /** Whether all of a mesh casts. */
-  #allCasts({ castShadow, material }) {
-    return castShadow && [material].flat().every(this.#casts);
+  #allCasts(mesh) {
+    return mesh.castShadow && passes(mesh, 'every', this.#casts);
   }
 
-  /** `maps`: of RestingLights, by light; `meshes`: all that take part. */
-  show(lights, maps, meshes) {
+  /** `maps`: of RestingLights, by light; `meshes`: all that take part; `tints`: whether some tint the light. */
+  show(lights, maps, meshes, tints) {
     for (const light of this.#nodes.keys()) if (!lights.includes(light)) this.#drop(light);
-    const casting = meshes.filter(({ castShadow, material }) => castShadow && [material].flat().some(this.#casts));
-    const refresh = this.#castsChanged(meshes);
+    const casting = meshes.filter((mesh) => mesh.castShadow && passes(mesh, 'some', this.#casts));
+    const changed = this.#castsChanged(meshes);
     for (const [i, light] of lights.entries()) {
       const entry = this.#nodes.get(light) ?? this.#attach(light);
+      if (tints && !entry.node.tints) {
+        entry.node.tints = true; // from now on
+        compileAgain(light);
+      }
       const held = maps[i]?.movers > 0 ? 2 : 1; // of castingOf(): without movers the map holds all that the engine has
       entry.others = maps[i] ? casting.filter((mesh) => this.#castingOf(mesh, light) < held) : casting;
-      entry.node.show(maps[i], entry.others, refresh);
+      entry.node.show(maps[i], entry.others, changed);
     }
   }
 
@@ -43,7 +50,7 @@ export class LightShadows {
     const { others } = this.#nodes.get(light);
     if (!resting) return { light, method: 'map', reason: 'meshes are being prepared' };
     if (resting.method === 'mask') return { light, method: 'map', reason: resting.reason };
-    return others.length === 0 ? { light, ...resting } : { light, method: 'lookup and movers', reason: `three.js's own map has the casters that came or moved lately: ${others.length}` };
+    return others.length === 0 ? { light, method: 'lookup', reason: 'it rests, and so do all casters' } : { light, method: 'lookup and movers', reason: `three.js's own map has the casters that came or moved lately: ${others.length}` };
   }
 
   clear() {
@@ -53,9 +60,11 @@ export class LightShadows {
   /** Whether a mesh casts that didn't before, or the other way round. */
   #castsChanged(meshes) {
     let changed = false;
-    const before = this.#cast;
-    this.#cast = new Map(meshes.map((mesh) => [mesh, this.#allCasts(mesh)]));
-    for (const [mesh, casts] of this.#cast) changed ||= before.has(mesh) && before.get(mesh) !== casts;
+    for (const mesh of meshes) {
+      const casts = this.#allCasts(mesh);
+      changed ||= (this.#cast.get(mesh) ?? casts) !== casts;
+      this.#cast.set(mesh, casts);
+    }
     return changed;
   }
 
@@ -63,7 +72,7 @@ export class LightShadows {
     const entry = { node: new LightShadowNode(light, (mesh) => this.#allCasts(mesh)), before: light.shadow.shadowNode, others: [] };
     this.#nodes.set(light, entry);
     light.shadow.shadowNode = entry.node;
-    refresh(light);
+    compileAgain(light);
     return entry;
   }
 
@@ -71,7 +80,7 @@ export class LightShadows {
     const { node, before } = this.#nodes.get(light);
     this.#nodes.delete(light);
     light.shadow.shadowNode = before;
-    refresh(light);
+    compileAgain(light);
     node.end();
   }
 }

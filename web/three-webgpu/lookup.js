@@ -13,21 +13,26 @@ const unit = 2 ** -24;
 
 const largest = (of) => max(max(of.x, of.y), of.z);
 
-/**
- * Error of an interpolated position, in units of a float's rounding, estimated from its change
- * between pixels: rasterisers may compute it starting at any of the picture's corners.
- */
-function positionError(position, along, up) {
+/** Change of a position between its pixel and the farthest of the picture's sides. */
+function changeAcross(along, up) {
   const { x, y } = screenCoordinate;
-  const change = abs(along).mul(max(x, screenSize.x.sub(x))).add(abs(up).mul(max(y, screenSize.y.sub(y)))).toVar();
-  return change.x.add(change.y).add(change.z).mul(8).div(max(largest(abs(position)), 1e-36));
+  return abs(along).mul(max(x, screenSize.x.sub(x))).add(abs(up).mul(max(y, screenSize.y.sub(y))));
 }
 
 /** The fragment's place on its triangle: call it outside of branches, as it takes derivatives. */
 export function placeOnTriangle() {
   const position = positionWorld.toVar();
   const along = dFdx(position).toVar(), up = dFdy(position).toVar();
-  return { position, normal: cross(along, up).toVar(), error: positionError(position, along, up).toVar() };
+  return { position, normal: cross(along, up).toVar(), change: changeAcross(along, up).toVar() };
+}
+
+/**
+ * How far rounding may put a point off its triangle, in map space: `change`, as of placeOnTriangle(), as
+ * rasterisers may interpolate from any of the picture's corners. `terms`: sizes that the point is the sum of.
+ */
+function roundingOf([x, y, z], change, terms) {
+  const drift = abs(x).mul(change.x).add(abs(y).mul(change.y)).add(abs(z).mul(change.z)).toVar();
+  return max(largest(terms), 1).mul(16).add(largest(drift).mul(8)).mul(unit);
 }
 
 /** The ray of a point, its depth, and its place on its tile. */
@@ -65,38 +70,61 @@ function headerAt(map, at, tile) {
   return header;
 }
 
-/** Whether a ray is inside all edges of a triangle, or on them. */
-function isInside(edges, ray) {
+/**
+ * How a ray meets a triangle's edges: {meets: whether it is inside all, or on them; beside: with `tints`, by edge
+ * 1 where it is inside, 0 where it is on it}.
+ */
+function sidesOf(edges, ray, tints) {
   const sums = edges.map((edge) => floatSum(edge, ray));
-  const inside = sums.map(({ sum, error }) => sum.greaterThanEqual(error.negate())).reduce((all, one) => all.and(one)).toVar();
+  const meets = sums.map(({ sum, error }) => sum.greaterThanEqual(error.negate())).reduce((all, one) => all.and(one)).toVar();
   const certain = sums.map(({ sum, error }) => sum.greaterThan(error)).reduce((all, one) => all.and(one));
+  const beside = tints && vec3(1).toVar();
   // A loop, since a branch doesn't keep software renderers from computing all of it.
-  Loop({ start: int(0), end: select(inside.and(certain.not()), int(3), int(0)), type: 'int', condition: '<', name: 'edge' }, ({ edge }) => {
-    const one = select(edge.equal(int(0)), edges[0], select(edge.equal(int(1)), edges[1], edges[2]));
-    inside.assign(inside.and(isAtLeastZero(one, ray).equal(int(1))));
+  Loop({ start: int(0), end: select(meets.and(certain.not()), int(3), int(0)), type: 'int', condition: '<', name: 'edge' }, ({ edge }) => {
+    const one = select(edge.equal(int(0)), edges[0], select(edge.equal(int(1)), edges[1], edges[2])).toVar();
+    meets.assign(meets.and(isAtLeastZero(one, ray).equal(int(1))));
+    if (!tints) return;
+    const isBeside = float(int(1).sub(isAtLeastZero(one.negate(), ray))).toVar();
+    beside.assign(vec3(...['x', 'y', 'z'].map((axis, i) => select(edge.equal(int(i)), isBeside, beside[axis]))));
   });
-  return inside;
+  return { meets, beside };
 }
 
-/** How a ray meets a record's triangle: {meets, height: of the point behind its plane, tolerance}. */
-function meeting(map, record, ray, point, directional) {
+/**
+ * How a ray meets a record's triangle: {meets, beside, as of sidesOf(); height: of the point behind its plane;
+ * tolerance; next: index of what follows its edges}.
+ */
+function meeting(map, record, ray, point, directional, tints) {
   const first = uint(record).mul(uint(3)).toVar();
   const [a, b, c] = [0, 1, 2].map((i) => map.record(first.add(uint(i))).toVar());
   const behind = a.w.mul(ray.x).add(b.w.mul(ray.y)).add(c.w.mul(ray.z)).toVar();
   const slope = abs(a.w).add(abs(b.w)).add(abs(c.w));
-  return { meets: isInside([a.xyz, b.xyz, c.xyz], ray), height: (directional ? point.z.sub(behind) : behind.sub(1)).toVar(),
-    tolerance: slope.add(1).mul(64 * unit).toVar() };
+  return { ...sidesOf([a.xyz, b.xyz, c.xyz], ray, tints), height: (directional ? point.z.sub(behind) : behind.sub(1)).toVar(),
+    tolerance: slope.add(1).mul(64 * unit).toVar(), next: first.add(uint(3)) };
 }
 
-/** Makes `lit` 0 where a listed triangle blocks the ray to the point (C35). */
-function askList(map, header, { ray, depth }, point, directional, casts, lit) {
+/** Multiplies `tint` by a tinted triangle's; a ray on an edge belongs to one of the two neighbours (C38). */
+function takeTint(map, { meets, beside, height, tolerance, next }, tint) {
+  const taken = map.record(next).toVar();
+  const owns = ['x', 'y', 'z'].map((axis) => beside[axis].greaterThan(0).or(taken[axis].greaterThan(0.5))).reduce((all, one) => all.and(one));
+  If(owns.and(height.greaterThan(tolerance)), () => { tint.mulAssign(map.record(uint(taken.w).mul(uint(3))).xyz); });
+  meets.assign(false); // it blocks nothing
+}
+
+/**
+ * Makes `lit` 0 where a listed triangle blocks the ray to the point (C35); with a `tint`, multiplies that by
+ * the tints of those before the point.
+ */
+function askList(map, header, { ray, depth }, point, directional, casts, { lit, tint }) {
   const list = floor(header.y).toVar();
   const isEmpty = header.y.equal(0).or(casts.and(header.y.greaterThan(list)));
   const own = float(0).toVar(), distance = float(1e30).toVar(), foremost = float(-1e30).toVar(), apart = float(0).toVar();
   Loop({ start: int(0), end: select(isEmpty, int(0), int(longest)), type: 'int', condition: '<', name: 'nth' }, ({ nth }) => {
     const entry = map.entry(uint(list).add(uint(nth))).toVar();
-    const record = floor(entry.x).toVar();
-    const { meets, height, tolerance } = meeting(map, record, ray, point, directional);
+    const number = floor(entry.x).toVar(), isTinted = entry.x.lessThan(0);
+    const met = meeting(map, tint ? select(isTinted, number.add(1).negate(), number) : number, ray, point, directional, Boolean(tint));
+    const { meets, height, tolerance } = met;
+    if (tint) If(meets.and(isTinted), () => { takeTint(map, met, tint); });
     If(meets, () => {
       If(height.greaterThan(tolerance), () => {
         lit.assign(0);
@@ -112,21 +140,22 @@ function askList(map, header, { ray, depth }, point, directional, casts, lit) {
       });
     });
     If(depth.lessThanEqual(entry.y), () => { Break(); }); // all further ones are deeper
-    If(casts.and(entry.x.greaterThan(record)), () => { Break(); }); // or only points that don't cast test them
+    If(casts.and(entry.x.greaterThan(number)), () => { Break(); }); // or only points that don't cast test them
   });
   If(casts.and(foremost.greaterThan(own.add(apart))), () => { lit.assign(0); });
 }
 
 /**
- * Makes `lit`, 1, 0 where the light doesn't reach the fragment. `map`: MapNodes; `directional`: the
- * light's kind; `place`: of placeOnTriangle(); `casts`: whether all triangles there are casters, and
- * `held`: in the map; `front`: whether the triangle's front is visible.
+ * Makes `share.lit`, 1, 0 where the light doesn't reach the fragment, and multiplies `share.tint`, if there is
+ * one, by tints of triangles before it. `map`: MapNodes; `directional`: the light's kind; `place`: of
+ * placeOnTriangle(); `casts`: whether all triangles there are casters, and `held`: in the map; `front`:
+ * whether the triangle's front is visible.
  */
-export function lookUp({ map, directional, place: { position, normal, error }, casts, held, front, lit }) {
+export function lookUp({ map, directional, place: { position, normal, change }, casts, held, front, share }) {
   const [x, y, z, offset] = [0, 1, 2, 3].map((column) => map.mapFromWorld.element(int(column)).xyz.toVar());
   const point = x.mul(position.x).add(y.mul(position.y)).add(z.mul(position.z)).add(offset).toVar();
   const terms = abs(x.mul(position.x)).add(abs(y.mul(position.y))).add(abs(z.mul(position.z))).add(abs(offset)).toVar();
-  const off = error.add(16).mul(unit).mul(max(largest(terms), 1)).toVar();
+  const off = roundingOf([x, y, z], change, terms).toVar();
   const across = cross(y, z).mul(normal.x).add(cross(z, x).mul(normal.y)).add(cross(x, y).mul(normal.z)).toVar();
   across.divAssign(max(length(across), 1e-36));
   const lightSide = (directional ? across.z.negate() : dot(across, point).negate()).toVar();
@@ -134,13 +163,13 @@ export function lookUp({ map, directional, place: { position, normal, error }, c
   const away = lightSide.mul(eyeSide).lessThan(0).toVar();
   If(lightSide.lessThan(0), () => { across.assign(across.negate()); });
   point.addAssign(across.mul(select(away, off.mul(-2).sub(256 * unit), off)));
-  If(away.and(casts), () => { lit.assign(0); }).Else(() => {
+  If(away.and(casts), () => { share.lit.assign(0); }).Else(() => {
     const ray = rayOf(map, point, directional);
     const isOnTile = max(abs(ray.at.x), abs(ray.at.y)).lessThanEqual(1);
     If(directional ? isOnTile : isOnTile.and(ray.depth.greaterThan(0)), () => {
       const header = headerAt(map, ray.at, ray.tile);
-      If(ray.depth.greaterThan(header.x), () => { lit.assign(0); }).Else(() => {
-        askList(map, header, ray, point, directional, casts.and(held).and(front).toVar(), lit);
+      If(ray.depth.greaterThan(header.x), () => { share.lit.assign(0); }).Else(() => {
+        askList(map, header, ray, point, directional, casts.and(held).and(front).toVar(), share);
       });
     });
   });

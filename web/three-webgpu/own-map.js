@@ -41,6 +41,6 @@ const OwnMap = ofCasters(ShadowNode), OwnPointMap = ofCasters(PointShadowNode);
 
 /**
  * A shadow node of three.js's for the light; `casters`: a Set of meshes that may change; `mapSize()`:
- * {width, height}.
+ * a Vector2.
  */
 export const ownMapOf = (light, casters, mapSize) => new (light.isPointLight ? OwnPointMap : OwnMap)(light, casters, mapSize);

@@ -98,8 +98,21 @@ export function posts() {
   return scene;
 }
 
-/** {scene, camera} by name. */
+/** Grey panes, invisible to the eye, above one another and a ground, and a box among them. */
+export function panes() {
+  const scene = new three.Scene();
+  const glass = (grey, opacity) => new three.MeshLambertMaterial({ color: new three.Color().setRGB(grey, grey, grey, three.LinearSRGBColorSpace),
+    opacity, transparent: true, colorWrite: false, depthWrite: false, side: three.DoubleSide });
+  const upper = meshOf(new three.PlaneGeometry(3, 2, 4, 4), glass(0.9, 0.3), [0.3, 1.9, 0.2]), thick = meshOf(new three.BoxGeometry(2, 0.2, 2), glass(0.8, 0.5), [-0.6, 0.9, 0.5]);
+  upper.rotation.set(-1.4, 0.2, 0.1);
+  thick.rotation.set(0.1, 0.3, 0);
+  scene.add(meshOf(new three.BoxGeometry(8, 0.2, 8), white(), [0, -0.1, 0]), upper, thick, meshOf(new three.BoxGeometry(0.5, 0.5, 0.5), white(), [0.6, 1.4, 0.2]));
+  return scene;
+}
+
+/** {scene, camera, options: for shadows} by name. */
 export async function sceneOf(name) {
+  if (name === 'panes') return { scene: panes(), camera: cameraOf(yardView), options: { transparentCast: 'tint' } };
   if (name === 'pavilion') return { scene: await pavilion(), camera: cameraOf({ from: [-2.6, 3.6, 10.2], to: [0.2, 1.3, -0.2] }) };
   return { scene: name === 'instances' ? posts() : yard().scene, camera: cameraOf(yardView) };
 }
@@ -122,7 +135,8 @@ export async function redOf(renderer, draw) {
   const target = renderer.getRenderTarget();
   if (target) {
     draw();
-    return (await renderer.readRenderTargetPixelsAsync(target, 0, 0, width, height)).filter((_, i) => i % 4 === 0);
+    const red = (await renderer.readRenderTargetPixelsAsync(target, 0, 0, width, height)).filter((_, i) => i % 4 === 0);
+    return red.map((value) => 255 * new three.Color(value / 255, 0, 0).convertLinearToSRGB().r + 0.5); // as on a canvas
   }
   const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
   draw();
@@ -148,20 +162,21 @@ export async function lookedUp(backend, scene, camera, { lights = 1, ...options 
 
 /**
  * {differ: pixels whose light differs, beyond: those with no boundary of the first picture within a pixel,
- * shadow: dark ones, lit} of two pictures.
+ * shadow: dark ones, lit, grey} of two pictures.
  */
 export function compared(a, b) {
   const { width } = size;
   const around = [-1, 0, 1].flatMap((row) => [-1, 0, 1].map((column) => row * width + column));
-  let differ = 0, beyond = 0, shadow = 0, lit = 0;
+  let differ = 0, beyond = 0, shadow = 0, lit = 0, grey = 0;
   for (let i = 0; i < a.length; ++i) {
     const differs = Math.abs(a[i] - b[i]) > 2;
     differ += differs;
     beyond += differs && around.every((step) => a[i + step] === undefined || a[i + step] === a[i]);
     shadow += a[i] < 20;
-    lit += a[i] > 200;
+    lit += a[i] > 240;
+    grey += a[i] >= 20 && a[i] <= 240;
   }
-  return { differ, beyond, shadow, lit };
+  return { differ, beyond, shadow, lit, grey };
 }
 
 export { comparedWithRays, NodeShadows, three };
