@@ -2,6 +2,7 @@
 
 #include "preprocess/base/morton.hpp"
 #include "preprocess/mesh/components.hpp"
+#include "preprocess/section/vertex_attributes.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -66,11 +67,6 @@ Blocks blocksOf(const Geometry& geometry) {
     return blocks;
 }
 
-template <class Value>
-void addSome(const std::vector<Value>& from, std::uint32_t vertex, std::vector<Value>& to) {
-    if (!from.empty()) to.push_back(from[vertex]);
-}
-
 /// Collects the triangles of a block, with the vertices that they use.
 class BlockWriter {
   public:
@@ -104,13 +100,10 @@ class BlockWriter {
         if (vertexOf_[of] != none) return vertexOf_[of];
         vertexOf_[of] = static_cast<std::uint32_t>(to.positions.size());
         used.push_back(of);
-        addSome(from_.positions, of, to.positions);
-        addSome(from_.normals, of, to.normals);
-        addSome(from_.texcoords, of, to.texcoords);
-        addSome(from_.colors, of, to.colors);
-        for (std::size_t i = 0; i < from_.moreTexcoords.size(); ++i)
-            addSome(from_.moreTexcoords[i], of, to.moreTexcoords[i]);
-        addSome(from_.tangents, of, to.tangents);
+        const auto addSome = [&](const auto& all, auto& some) {
+            if (!all.empty()) some.push_back(all[of]);
+        };
+        forEachAttribute(addSome, from_, to);
         return vertexOf_[of];
     }
 
