@@ -38,8 +38,9 @@ Blocks blocksOf(const Geometry& geometry) {
             all.add(glm::dvec3(mesh.positions[corner]));
         }
     }
-    const std::size_t largest = *std::max_element(sizes.begin(), sizes.end());
-    if (static_cast<double>(largest) > largestShare * static_cast<double>(mesh.triangles.size()))
+    const auto largest = std::max_element(sizes.begin(), sizes.end());
+    if (largest == sizes.end() ||
+        static_cast<double>(*largest) > largestShare * static_cast<double>(mesh.triangles.size()))
         return {{}, 1};
     std::vector<std::uint32_t> order(components.count());
     std::iota(order.begin(), order.end(), 0u);
