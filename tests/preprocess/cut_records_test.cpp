@@ -419,7 +419,7 @@ TEST(ComponentBlocks, DivideABatchUnlessOneComponentIsNearlyAllOfIt) {
     EXPECT_EQ(inBlocks(sceneOf(large)).batches.size(), 1u);
     EXPECT_EQ(inBlocks(sceneOf(several)).batches.size(), 4u);
 
-    Soup flat; // no triangle has an area, so that there is no component
+    Soup flat; // no triangle has an area, so none is in a component
     flat.positions = {{0, 0, 0}, {1, 0, 0}};
     for (int i = 0; i < 1100; ++i)
         flat.indices.insert(flat.indices.end(), {0, 1, 0});
