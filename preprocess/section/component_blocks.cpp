@@ -2,6 +2,7 @@
 
 #include "preprocess/base/morton.hpp"
 #include "preprocess/mesh/components.hpp"
+#include "preprocess/section/vertex_attributes.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -37,8 +38,9 @@ Blocks blocksOf(const Geometry& geometry) {
             all.add(glm::dvec3(mesh.positions[corner]));
         }
     }
-    const std::size_t largest = *std::max_element(sizes.begin(), sizes.end());
-    if (static_cast<double>(largest) > largestShare * static_cast<double>(mesh.triangles.size()))
+    const auto largest = std::max_element(sizes.begin(), sizes.end());
+    if (largest == sizes.end() ||
+        static_cast<double>(*largest) > largestShare * static_cast<double>(mesh.triangles.size()))
         return {{}, 1};
     std::vector<std::uint32_t> order(components.count());
     std::iota(order.begin(), order.end(), 0u);
@@ -64,11 +66,6 @@ Blocks blocksOf(const Geometry& geometry) {
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
         blocks.ofTriangle[mesh.source[t]] = blockOf[components.ofTriangle[t]];
     return blocks;
-}
-
-template <class Value>
-void addSome(const std::vector<Value>& from, std::uint32_t vertex, std::vector<Value>& to) {
-    if (!from.empty()) to.push_back(from[vertex]);
 }
 
 /// Collects the triangles of a block, with the vertices that they use.
@@ -104,13 +101,10 @@ class BlockWriter {
         if (vertexOf_[of] != none) return vertexOf_[of];
         vertexOf_[of] = static_cast<std::uint32_t>(to.positions.size());
         used.push_back(of);
-        addSome(from_.positions, of, to.positions);
-        addSome(from_.normals, of, to.normals);
-        addSome(from_.texcoords, of, to.texcoords);
-        addSome(from_.colors, of, to.colors);
-        for (std::size_t i = 0; i < from_.moreTexcoords.size(); ++i)
-            addSome(from_.moreTexcoords[i], of, to.moreTexcoords[i]);
-        addSome(from_.tangents, of, to.tangents);
+        const auto addSome = [&](const auto& all, auto& some) {
+            if (!all.empty()) some.push_back(all[of]);
+        };
+        forEachAttribute(addSome, from_, to);
         return vertexOf_[of];
     }
 

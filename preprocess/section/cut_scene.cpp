@@ -3,6 +3,7 @@
 #include "preprocess/section/cut_writer.hpp"
 #include "preprocess/section/section_fill.hpp"
 #include "preprocess/section/solid_triangles.hpp"
+#include "preprocess/section/vertex_attributes.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -46,9 +47,11 @@ void completeFill(Geometry& geometry, const glm::vec3& normal,
     geometry.normals.resize(count, normal);
     geometry.texcoords.resize(count, glm::vec2(0.0f));
     geometry.colors.resize(count, glm::vec4(1.0f));
-    for (std::vector<glm::vec2>& texcoords : geometry.moreTexcoords)
-        if (!texcoords.empty()) texcoords.resize(count, glm::vec2(0.0f));
-    if (!geometry.tangents.empty()) geometry.tangents.resize(count, glm::vec4(0.0f));
+    const auto complete = [&](auto& values) {
+        using Value = typename std::decay_t<decltype(values)>::value_type;
+        if (!values.empty()) values.resize(count, Value(0.0f));
+    };
+    forEachAttribute(complete, geometry);
 }
 
 /// The corners of simplified casters, cut.

@@ -38,7 +38,7 @@ class SceneCutter {
 
     struct Known {
         Box bounds;
-        std::vector<std::uint8_t> solid; ///< by triangle; empty until a plane meets one
+        std::vector<std::uint8_t> solid;           ///< by triangle; empty until a plane meets one
         std::optional<CopyOnWrite<Geometry>> away; ///< all of it cut away, and casting as a whole
         SharedPool<Geometry> made;                 ///< cuts of it
     };

@@ -1,5 +1,7 @@
 #include "preprocess/section/cut_writer.hpp"
 
+#include "preprocess/section/vertex_attributes.hpp"
+
 #include <algorithm>
 #include <limits>
 
@@ -20,13 +22,8 @@ void take(const std::vector<Value>& from, std::size_t more, std::vector<Value>& 
 } // namespace
 
 void takeVertices(const Geometry& geometry, std::size_t more, Geometry& to) {
-    take(geometry.positions, more, to.positions);
-    take(geometry.normals, more, to.normals);
-    take(geometry.texcoords, more, to.texcoords);
-    take(geometry.colors, more, to.colors);
-    for (std::size_t i = 0; i < geometry.moreTexcoords.size(); ++i)
-        take(geometry.moreTexcoords[i], more, to.moreTexcoords[i]);
-    take(geometry.tangents, more, to.tangents);
+    forEachAttribute([&](const auto& values, auto& taken) { take(values, more, taken); }, geometry,
+                     to);
     to.indices.clear();
     to.groups.clear();
     to.sources.clear();

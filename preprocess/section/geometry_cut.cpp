@@ -2,6 +2,7 @@
 
 #include "preprocess/mesh/edge_numbers.hpp"
 #include "preprocess/section/plane_height.hpp"
+#include "preprocess/section/vertex_attributes.hpp"
 
 #include <algorithm>
 
@@ -53,23 +54,16 @@ class EdgeCutter {
     void add(std::uint32_t a, std::uint32_t b) {
         const double from = height(a), share = from / (from - height(b));
         const auto part = static_cast<float>(share);
-        geometry_.positions.push_back(
-            crossingOf(geometry_.positions[a], geometry_.positions[b], share));
-        addBetween(geometry_.normals, a, b, part);
-        if (!geometry_.normals.empty()) geometry_.normals.back() = unit(geometry_.normals.back());
-        addBetween(geometry_.texcoords, a, b, part);
-        addBetween(geometry_.colors, a, b, part);
-        for (std::vector<glm::vec2>& texcoords : geometry_.moreTexcoords)
-            addBetween(texcoords, a, b, part);
-        addTangent(a, b, part);
-    }
-
-    /// The bitangent's sign is a vertex's, not a mean.
-    void addTangent(std::uint32_t a, std::uint32_t b, float share) {
-        if (geometry_.tangents.empty()) return;
-        const glm::vec4 first = geometry_.tangents[a], second = geometry_.tangents[b];
-        geometry_.tangents.emplace_back(unit(glm::mix(glm::vec3(first), glm::vec3(second), share)),
-                                        first.w);
+        forEachAttribute([&](auto& values) { addBetween(values, a, b, part); }, geometry_);
+        std::vector<glm::vec3>&positions = geometry_.positions, &normals = geometry_.normals;
+        positions.back() = crossingOf(positions[a], positions[b], share);
+        if (!normals.empty()) normals.back() = unit(normals.back());
+        if (std::vector<glm::vec4>& tangents = geometry_.tangents; !tangents.empty()) {
+            const glm::vec4 first = tangents[a], second = tangents[b];
+            // The bitangent's sign is a vertex's, not a mean.
+            tangents.back() =
+                glm::vec4(unit(glm::mix(glm::vec3(first), glm::vec3(second), part)), first.w);
+        }
     }
 
     Geometry& geometry_;

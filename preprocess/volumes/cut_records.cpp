@@ -51,30 +51,34 @@ struct RecordEnds {
 };
 
 /// Copies the records of edges whose caps all stay as they were, and are among `caps`.
-/// `unchanged`: memory for their numbers.
 void addUnchanged(const UncutRecords& uncut, const std::vector<std::uint32_t>& replaced,
                   const std::vector<std::uint32_t>& capOf, const RecordRange& caps,
-                  std::vector<std::uint32_t>& unchanged, PlanePairShadow& to, RecordEnds& end) {
+                  PlanePairShadow& to, RecordEnds& end) {
     const PlanePairShadow& from = *uncut.shadow;
     const UncutRecords::OfEdge skipped = crowdedOf(uncut, replaced);
     // False for UncutRecords::none.
     const auto isOneOf = [&](std::uint32_t cap) { return cap - caps.first < caps.count; };
-    // First the numbers, without a branch, since which records stay is hard to predict.
-    resizeReused(unchanged, std::max(from.pairs.size(), from.singles.size()));
+    // Some numbers first, without a branch, since which records stay is hard to predict.
+    std::array<std::uint32_t, 1024> unchanged;
     std::size_t count = 0;
+    const auto copy = [&] {
+        for (const std::uint32_t i : std::span(unchanged).first(count)) {
+            const auto& [first, second] = from.pairPlanes[i];
+            to.pairs[end.pair] = from.pairs[i];
+            to.pairPlanes[end.pair] = {planeAt(capOf[first.cap()], first),
+                                       planeAt(capOf[second.cap()], second)};
+            ++end.pair;
+        }
+        count = 0;
+    };
     forOthers(from.pairs.size(), skipped.pairs, [&](std::size_t i) {
         const auto& [first, second] = from.pairPlanes[i];
         unchanged[count] = static_cast<std::uint32_t>(i);
         count +=
             std::size_t{isOneOf(capOf[first.cap()])} & std::size_t{isOneOf(capOf[second.cap()])};
+        if (count == unchanged.size()) copy();
     });
-    for (const std::uint32_t i : std::span(unchanged).first(count)) {
-        const auto& [first, second] = from.pairPlanes[i];
-        to.pairs[end.pair] = from.pairs[i];
-        to.pairPlanes[end.pair] = {planeAt(capOf[first.cap()], first),
-                                   planeAt(capOf[second.cap()], second)};
-        ++end.pair;
-    }
+    copy();
     forOthers(from.singles.size(), skipped.singles, [&](std::size_t i) {
         const std::uint32_t cap = capOf[from.singlePlanes[i].cap()];
         if (!isOneOf(cap)) return;
@@ -199,7 +203,7 @@ PlanePairShadow cutRecords(const UncutRecords& uncut, const Geometry& cut,
         for (std::size_t i = 0; i < kind.pieces.size(); ++i)
             caps.caps[kind.pieces[i].cap].plane = border.planes[i];
         discountReplaced(uncut, border.replaced, caps.capOf, made);
-        addUnchanged(uncut, border.replaced, caps.capOf, kind.caps, memory.unchanged, made, end);
+        addUnchanged(uncut, border.replaced, caps.capOf, kind.caps, made, end);
         addBorder(border, made, end);
         addCluster(kind, k == CutCaps::closed, k == CutCaps::tested, end, made);
     }

@@ -8,7 +8,6 @@ namespace edgeshade {
 struct CutMemory {
     CutCaps caps;
     BorderNumbers numbers;
-    std::vector<std::uint32_t> unchanged; ///< records that stay
 };
 
 /// The records of a geometry that a section cuts. Records away from the cut are those of the uncut

@@ -1,4 +1,5 @@
 // Records that follow a cut, beside those that topology found again gives (docs/method.md, C51).
+#include "preprocess/section/component_blocks.hpp"
 #include "preprocess/section/cut_scene.hpp"
 #include "preprocess/volumes/cut_records.hpp"
 #include "src/scene/cut_loaded.hpp"
@@ -399,6 +400,30 @@ TEST(CutRecords, DontDependOnWhereThePlaneWasBefore) {
                       fresh.scene.batches[0].geometry->positions);
         }
     }
+}
+
+/// Adds a soup's triangles to another, moved along x.
+void append(Soup& to, const Soup& soup, float along) {
+    for (const std::uint32_t index : soup.indices) {
+        to.indices.push_back(static_cast<std::uint32_t>(to.positions.size()));
+        to.positions.push_back(soup.positions[index] + glm::vec3(along, 0.0f, 0.0f));
+    }
+}
+
+TEST(ComponentBlocks, DivideABatchUnlessOneComponentIsNearlyAllOfIt) {
+    Random random(59);
+    Soup large = bumpySolid(random, 25, 25, false), several;
+    append(large, bumpySolid(random, 3, 4, false), 20.0f);
+    for (int i = 0; i < 4; ++i)
+        append(several, bumpySolid(random, 20, 20, false), 20.0f * static_cast<float>(i));
+    EXPECT_EQ(inBlocks(sceneOf(large)).batches.size(), 1u);
+    EXPECT_EQ(inBlocks(sceneOf(several)).batches.size(), 4u);
+
+    Soup flat; // no triangle has an area, so none is in a component
+    flat.positions = {{0, 0, 0}, {1, 0, 0}};
+    for (int i = 0; i < 1100; ++i)
+        flat.indices.insert(flat.indices.end(), {0, 1, 0});
+    EXPECT_EQ(inBlocks(sceneOf(flat)).batches.size(), 1u);
 }
 
 TEST(SharedPool, GivesTheMemoryOfValuesThatNobodyHolds) {
