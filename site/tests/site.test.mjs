@@ -86,7 +86,7 @@ test('sections of a page are its parts below headings, as text', () => {
 });
 
 test('the first screen shows the element, and its sun moves', async () => {
-  const tab = await open('index.html');
+  const tab = await open('index.html', { reducedMotion: 'reduce' }); // otherwise it scrolls for a while
   await tab.waitForFunction(() => document.querySelector('#first').loaded && !document.querySelector('.stage img'));
   const sun = () => tab.evaluate(() => document.querySelector('#first').state.lights[0].slice(0, 3));
   const before = await sun();

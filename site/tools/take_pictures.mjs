@@ -28,6 +28,7 @@ async function openScene(tab, address) {
   await sleep(settleMs);
   for (const frame of tab.frames()) // hours of sun are counted meanwhile
     await frame.waitForFunction(() => [...document.querySelectorAll('output')].every(({ textContent }) => !/Counting|\d+ of \d+ (sun )?positions/.test(textContent)), null, { timeout: countMs });
+  await sleep(settleMs / 3); // the counted picture is drawn
 }
 
 async function takeScenes(browser, address) {

@@ -9,9 +9,13 @@ const ways = {
   none: 'left out',
 };
 
+/** Methods that users choose; the viewer describes them, where it gives a reason for others. */
+const described = ['map', 'planar'];
+
 /** A sentence about a light. `method`, `why`: from the viewer's statistics; `why` is empty if the method was chosen. */
 export function methodText({ method, why }, index) {
-  return `Light ${index + 1}: shadows are ${ways[method] ?? method}; ${why ? `reason: ${why}` : 'as chosen'}.`;
+  const reason = described.includes(method) || !why ? ['as chosen', why].filter(Boolean).join(': ') : `reason: ${why}`;
+  return `Light ${index + 1}: shadows are ${ways[method] ?? method}; ${reason}.`;
 }
 
 const most = 6; // lines; further lights are summed up

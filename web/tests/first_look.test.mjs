@@ -48,7 +48,7 @@ test('the panel says how each light is shadowed, and why', async () => {
   await page.waitForFunction(() => /^Light 1: shadows are [a-z ]+; reason: .+\.$/.test(document.querySelector('#light-methods').textContent));
   assert.equal((await lines()).length, (await stateOf(page)).lights.length);
   await page.evaluate(() => document.querySelector('#viewer').change({ left: { shadows: 'map' } }));
-  await page.waitForFunction(() => document.querySelector('#light-methods').textContent === 'Light 1: shadows are sampled from a shadow map; as chosen.');
+  await page.waitForFunction(() => /^Light 1: shadows are sampled from a shadow map; as chosen: .+\.$/.test(document.querySelector('#light-methods').textContent));
   await page.evaluate(() => document.querySelector('#viewer').run('addLight'));
   await page.waitForFunction(() => document.querySelectorAll('#light-methods li').length === 2);
   await shared.check(page);
@@ -56,6 +56,7 @@ test('the panel says how each light is shadowed, and why', async () => {
 
 test('methods in words', () => {
   assert.equal(methodText({ method: 'volumes', why: 'it moves' }, 1), 'Light 2: shadows are counted by shadow volumes; reason: it moves.');
+  assert.equal(methodText({ method: 'map', why: '1024 texels' }, 0), 'Light 1: shadows are sampled from a shadow map; as chosen: 1024 texels.');
   assert.equal(methodText({ method: 'none', why: '' }, 0), 'Light 1: shadows are left out; as chosen.');
   const many = methodLines(Array.from({ length: 9 }, () => ({ method: 'volumes', why: 'it moves' })));
   assert.equal(many.length, 7);

@@ -46,6 +46,21 @@ function withPosition(shader) {
   shader.fragmentShader = `${varying}\n${shader.fragmentShader}`;
 }
 
+const positionDeclared = /\bvarying vec3 vViewPosition;/;
+
+/**
+ * Keeps fragments' positions within their triangles. With multisampling a pixel's middle may lie beyond the
+ * edge, where a lookup would find the position behind the neighbouring triangle.
+ */
+function withinTriangles(shader) {
+  const fragment = shader.fragmentShader.replace(/#include <(lights_\w+_pars_fragment)>/g,
+    (found, name) => (positionDeclared.test(ShaderChunk[name]) ? ShaderChunk[name] : found));
+  if (!positionDeclared.test(fragment) || !positionDeclared.test(shader.vertexShader)) return;
+  const centroid = 'centroid varying vec3 vViewPosition;'; // alike in both, or they don't link
+  shader.fragmentShader = fragment.replace(positionDeclared, centroid);
+  shader.vertexShader = shader.vertexShader.replace(positionDeclared, centroid);
+}
+
 /** A fragment shader with masks, or null if it doesn't light surfaces as three.js does. */
 function withShadows(source, material, slots, casters) {
   const seeThrough = isMasked(material) ? '' : '#define EDGESHADE_SEE_THROUGH\n';
@@ -146,6 +161,7 @@ export class MaterialPatches {
       Object.assign(shader.uniforms, uniforms);
       shader.fragmentShader = changed;
       if (this.isShadowMaterial) withPosition(shader);
+      withinTriangles(shader);
       const placed = takesOrigins(shader.vertexShader);
       takes = placed !== shader.vertexShader;
       shader.vertexShader = placed;
