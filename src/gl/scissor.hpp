@@ -13,13 +13,16 @@ PixelRectangle scissored(int width, int height);
 /// rectangle it does nothing. In browsers it doesn't restore the box of a scissor that was off.
 class ScissorScope {
   public:
-    explicit ScissorScope(const std::optional<PixelRectangle>& rectangle);
+    /// `around`: the scissor's present box, where the caller has set it: browsers report it only
+    /// after all pending draws.
+    explicit ScissorScope(const std::optional<PixelRectangle>& rectangle,
+                          const std::optional<PixelRectangle>& around = {});
     ~ScissorScope();
     ScissorScope(const ScissorScope&) = delete;
     ScissorScope& operator=(const ScissorScope&) = delete;
 
   private:
-    int box_[4] = {}; ///< in browsers saved only if the scissor was on
+    PixelRectangle box_; ///< in browsers saved only if the scissor was on
     bool restricts_, enabled_ = false;
 };
 

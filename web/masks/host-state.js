@@ -47,8 +47,11 @@ export class HostState {
   #clip;
   #isGone;
 
-  /** `isGone(texture)`: whether drawing has deleted it, so that it can't be bound again. */
-  constructor(gl, isGone = () => false) {
+  /**
+   * `isGone(texture)`: whether drawing has deleted it, so that it can't be bound again. `clips`:
+   * whether the host may set EXT_clip_control, which the browser can't report without waiting either.
+   */
+  constructor(gl, isGone, clips) {
     this.#gl = gl;
     this.#isGone = isGone;
     this.#webGl2 = typeof WebGL2RenderingContext !== 'undefined' && gl instanceof WebGL2RenderingContext;
@@ -59,7 +62,7 @@ export class HostState {
       this.#arrays = { bind: (array) => extension.bindVertexArrayOES(array), binding: extension.VERTEX_ARRAY_BINDING_OES,
         own: extension.createVertexArrayOES() };
     this.#instancing = this.#webGl2 ? null : gl.getExtension('ANGLE_instanced_arrays');
-    this.#clip = gl.getExtension('EXT_clip_control');
+    this.#clip = clips && gl.getExtension('EXT_clip_control');
     this.#units = gl.getParameter(gl.MAX_TEXTURE_IMAGE_UNITS);
   }
 

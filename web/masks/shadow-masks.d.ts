@@ -248,8 +248,10 @@ export class ShadowMasks {
    * `keepsState`: each call restores all of the context's state, which waits for pending draws.
    * Without it, only bindings, switches and pixel storage are restored; blending, stencil, depth,
    * culling, masks and clear values stay as drawing set them. Default: true.
+   * `clips`: whether you may set EXT_clip_control; otherwise calls needn't ask for it, which waits,
+   * too. Default: true.
    */
-  static create(gl: WebGLRenderingContext | WebGL2RenderingContext, options?: { keepsState?: boolean }): Promise<ShadowMasks>;
+  static create(gl: WebGLRenderingContext | WebGL2RenderingContext, options?: { keepsState?: boolean; clips?: boolean }): Promise<ShadowMasks>;
 
   /** Finds a mesh's edges in a worker. Resolves with the mesh's number. */
   prepare(mesh: MaskMesh): Promise<number>;

@@ -41,19 +41,21 @@ export class ShadowMasks {
   #hostError = 0;
 
   #keepsState;
+  #clips;
 
-  /** Resolves when it can draw in the context. `keepsState`: see HostState.keptWhile(). */
-  static async create(gl, { keepsState = true } = {}) {
+  /** Resolves when it can draw in the context. `keepsState`, `clips`: see HostState. */
+  static async create(gl, { keepsState = true, clips = true } = {}) {
     const module = await compiledModule();
-    return new ShadowMasks(gl, await instantiate(module), module, keepsState);
+    return new ShadowMasks(gl, await instantiate(module), module, keepsState, clips);
   }
 
   /** Internal: use create(). */
-  constructor(gl, program, module, keepsState) {
+  constructor(gl, program, module, keepsState, clips) {
     this.#gl = gl;
     this.#program = program;
     this.#packing = new MeshPacking(module);
     this.#keepsState = keepsState;
+    this.#clips = clips;
     this.#masks = new program.Masks();
     this.#lookups = new LightLookups(module, {
       gl,
@@ -85,7 +87,7 @@ export class ShadowMasks {
       enableExtensionsByDefault: !webGl2 });
     this.#textures = new HostTextures(this.#program.GL);
     // Emscripten numbers the program's objects, and takes the number from deleted ones.
-    this.#state = new HostState(this.#gl, (texture) => texture.name === 0);
+    this.#state = new HostState(this.#gl, (texture) => texture.name === 0, this.#clips);
     this.#allocatedFor = '';
     this.#takeHostError();
     this.#require(this.#inContext(() => this.#masks.start()));

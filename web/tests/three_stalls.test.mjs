@@ -54,3 +54,32 @@ test('the shadows of 150,000 triangles come without long tasks', async () => {
   assert.equal(told.cost.pending, 0);
   await shared.check(page);
 });
+
+test('meshes and lookups come without questions to the GL that wait for pending draws', async () => {
+  const page = await openThree(shared);
+  const told = await page.evaluate(async () => {
+    const { yard, ExactShadows, cameraOf, rested } = window.page;
+    const { building } = await import('/tests/building.js');
+    const { renderer, scene } = yard({ width: 80, height: 60 });
+    const camera = cameraOf({ from: [9, 8, 10], to: [0, 0.6, 0], fov: 50 }, 4 / 3);
+    const shadows = new ExactShadows(renderer).add(scene);
+    await rested(shadows, scene, camera);
+    const gl = renderer.getContext(), clip = gl.getExtension('EXT_clip_control');
+    const asked = new Set();
+    const { getParameter } = gl;
+    gl.getParameter = (name) => {
+      asked.add(name);
+      return getParameter.call(gl, name);
+    };
+    scene.add(building(60, { width: 6 }));
+    const lookedUp = await rested(shadows, scene, camera);
+    delete gl.getParameter;
+    const waits = { ...Object.fromEntries(['BLEND_SRC_RGB', 'STENCIL_FUNC', 'CULL_FACE_MODE', 'DEPTH_FUNC', 'SCISSOR_BOX'].map((name) => [name, gl[name]])),
+      CLIP_ORIGIN_EXT: clip?.CLIP_ORIGIN_EXT, CLIP_DEPTH_MODE_EXT: clip?.CLIP_DEPTH_MODE_EXT };
+    return { lookedUp, asked: asked.size, waiting: Object.keys(waits).filter((name) => asked.has(waits[name])) };
+  });
+  assert.equal(told.lookedUp, 1);
+  assert.ok(told.asked > 5, `${told.asked} names`);
+  assert.deepEqual(told.waiting, []);
+  await shared.check(page, [/GPU stall due to ReadPixels/]);
+});

@@ -111,7 +111,8 @@ export class ExactShadows extends EventTarget {
     const canvas = renderer.domElement;
     canvas.addEventListener('webglcontextlost', this.#forget);
     canvas.addEventListener('webglcontextrestored', this.#restore);
-    this.#starting = ShadowMasks.create(context, { keepsState }).then(
+    const { reversedDepthBuffer, reverseDepthBuffer } = renderer.capabilities; // the latter in early releases
+    this.#starting = ShadowMasks.create(context, { keepsState, clips: Boolean(reversedDepthBuffer ?? reverseDepthBuffer) }).then(
       (masks) => {
         if (this.#disposed) return masks.dispose();
         this.#masks = masks;

@@ -97,7 +97,8 @@ void Renderer::planFrame(GpuScene& scene, const FrameView& view, StageClock* clo
     };
     const auto mayList = [&](std::size_t light) { return mayBeListed(view, light); };
     FrameTask task{.view = view,
-                   .open = gl::scissored(view.width, view.height),
+                   .open = view.part ? intersection({0, 0, view.width, view.height}, *view.part)
+                                     : gl::scissored(view.width, view.height),
                    .ownStencil = coarse_.has_value(),
                    .ambientApart = sum_.full && !sum_.replaces,
                    .groupCount = groupCount,
@@ -197,7 +198,7 @@ void Renderer::drawDepthAndAmbient(const SlicePass& pass) {
 }
 
 void Renderer::drawShadow(const SlicePass& pass) {
-    const gl::ScissorScope cut(pass.plan.lights[*pass.plan.first].reach);
+    const gl::ScissorScope cut(pass.plan.lights[*pass.plan.first].reach, pass.view.part);
     count(pass, *pass.plan.first, 0);
     const StageScope stage(pass.clock, FrameStage::lit);
     if (sum_.darkens()) {
@@ -217,7 +218,7 @@ void Renderer::drawAmbientInShadow(const SlicePass& pass) {
 
 void Renderer::drawShadowedLight(const SlicePass& pass, std::size_t light) {
     const LightPlan& plan = pass.plan.lights[light];
-    const gl::ScissorScope cut(plan.reach);
+    const gl::ScissorScope cut(plan.reach, pass.view.part);
     drawLookedUp(pass, light);
     if (plan.isCounted()) {
         if (light == pass.plan.first)
