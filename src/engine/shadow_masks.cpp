@@ -282,8 +282,8 @@ struct ShadowMasks::Impl {
     /// changed since compare().
     bool holds(LookupId id, const Light& light) {
         const auto found = held.find(id);
-        const bool isKnown = !light.extent && found != held.end() &&
-                             found->second == drawing->casters.casterState();
+        const bool isKnown =
+            !light.extent && found != held.end() && found->second == drawing->casters.casterState();
         return isKnown ? drawing->lookups.isOf(id, light)
                        : compare(id, light, ShadowMasks::longRestMs).holds;
     }
