@@ -38,7 +38,7 @@ export class LightShadowNode extends ShadowBaseNode {
 
   /**
    * `map`: of RestingLights, or null; `others`: casters for three.js's own map; `changed`: whether
-   * what casts() says is another.
+   * the answers of casts() have changed.
    */
   show(map, others, changed) {
     this.#casters.clear();
