@@ -90,7 +90,10 @@ hours::Schedule scheduleOf(const JsonField& field) {
 
 PlannedSource sourceOf(const JsonField& field) {
     PlannedSource planned;
-    planned.source.file = field.member("file").text();
+    const JsonField file = field.member("file");
+    planned.source.file = file.text();
+    if (!staysInside(planned.source.file))
+        file.fail(" is '" + planned.source.file + "', but must be below the folder");
     const JsonField kind = field.member("kind");
     const std::string word = kind.oneOf({sourceKindNames[0], sourceKindNames[1], sourceKindNames[2],
                                          sourceKindNames[3], sourceKindNames[4]});

@@ -9,6 +9,11 @@
 
 namespace edgeshade::city {
 
+bool staysInside(const std::filesystem::path& path) {
+    const std::filesystem::path resolved = path.lexically_normal();
+    return !resolved.empty() && resolved.is_relative() && *resolved.begin() != "..";
+}
+
 Bytes bytesOf(const std::filesystem::path& folder, const Source& source,
               const SourceReading& reading) {
     return readFile(folder / source.file, reading.limits.fileBytes);

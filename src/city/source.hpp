@@ -23,6 +23,9 @@ struct Source {
 inline constexpr const char* sourceKindNames[] = {"cityjson", "cityjsonseq", "gltf", "b3dm",
                                                   "raster"};
 
+/// Whether a path is relative and, with "." and ".." resolved, doesn't leave its folder.
+bool staysInside(const std::filesystem::path& path);
+
 struct SourceReading {
     std::optional<double> lod; ///< of CityJSON, the most; null: the highest there is
     ReadingLimits limits;

@@ -5,6 +5,8 @@
 #include "src/city/tileset.hpp"
 
 #include <algorithm>
+#include <set>
+#include <sstream>
 
 namespace edgeshade::city {
 namespace {
@@ -22,9 +24,34 @@ std::optional<SourceKind> kindOf(const fs::path& path) {
     return std::nullopt;
 }
 
-void add(const fs::path& path, SourceList& list) {
-    const std::optional<SourceKind> kind = kindOf(path);
-    if (kind) list.sources.push_back({path.filename().string(), *kind, eastNorthUpFromGltf});
+/// Adds a file of the list's folder, unless its ending says that it is no tile.
+bool add(const fs::path& file, SourceList& list) {
+    const std::optional<SourceKind> kind = kindOf(file);
+    if (kind) list.sources.push_back({file.generic_string(), *kind, eastNorthUpFromGltf});
+    return kind.has_value();
+}
+
+/// Adds the tiles that a text file lists.
+void addListed(const fs::path& path, const ReadingLimits& limits, SourceList& list) {
+    const Bytes bytes = readFile(path, limits.fileBytes);
+    std::istringstream lines(std::string(bytes.begin(), bytes.end()));
+    std::set<fs::path> known;
+    std::string line;
+    for (std::size_t number = 1; std::getline(lines, line); ++number) {
+        if (line.ends_with('\r')) line.pop_back();
+        if (line.empty() || line.starts_with('#')) continue;
+        const auto fail = [&](const std::string& why) {
+            throw InputError("'" + path.string() + "', line " + std::to_string(number) + ": '" +
+                             line + "' " + why);
+        };
+        const fs::path file = fs::path(line).lexically_normal();
+        std::error_code error;
+        if (!staysInside(file)) fail("must be in the list's folder or below.");
+        if (file.filename() == tilesetName) fail("is a tileset; plan it by itself.");
+        if (!known.insert(file).second) fail("is listed twice.");
+        if (!fs::is_regular_file(list.folder / file, error)) fail("isn't there.");
+        if (!add(file, list)) fail("is no .json, .jsonl, .glb, .gltf, .tif or .tiff.");
+    }
 }
 
 } // namespace
@@ -41,14 +68,16 @@ SourceList sourcesIn(const fs::path& input, const ReadingLimits& limits) {
         list.place = read.place;
     } else if (isFolder) {
         for (const fs::directory_entry& entry : fs::directory_iterator(input, error))
-            if (entry.is_regular_file(error)) add(entry.path(), list);
+            if (entry.is_regular_file(error)) add(entry.path().filename(), list);
+    } else if (input.extension() == ".txt") {
+        addListed(input, limits, list);
     } else {
-        add(input, list);
+        add(input.filename(), list);
     }
     if (list.sources.empty())
         throw InputError("'" + input.string() +
                          "' has no tile of a city: no .json or .jsonl of CityJSON, tileset.json, "
-                         ".glb, .gltf, .tif or .tiff.");
+                         ".glb, .gltf, .tif or .tiff, nor a .txt that lists them.");
     std::ranges::stable_sort(list.sources, {}, &Source::file);
     return list;
 }

@@ -111,8 +111,7 @@ class Walk {
                      bool isUsed, int nested) {
         const std::string text = uri.text();
         const fs::path path = (folder / text).lexically_normal();
-        if (text.empty() || text.find(':') != std::string::npos || path.is_absolute() ||
-            *path.begin() == "..")
+        if (text.empty() || text.find(':') != std::string::npos || !staysInside(path))
             uri.fail(" is '" + text + "', but must be a file in the tileset's folder");
         const std::string file = path.generic_string();
         const std::string ending = path.extension().string();

@@ -42,7 +42,10 @@ void merge(const CityMergeOptions& options) {
         if (source.kind != city::SourceKind::cityJson &&
             source.kind != city::SourceKind::cityJsonSequence)
             continue;
-        writeText(folder / ("hours-" + source.file), city::cityJsonWithHours(map, read.plan, i));
+        const fs::path file = source.file;
+        fs::create_directories(folder / file.parent_path(), error);
+        writeText(folder / file.parent_path() / ("hours-" + file.filename().string()),
+                  city::cityJsonWithHours(map, read.plan, i));
     }
     writeFile(folder / "hours.tif", raster);
     writeText(folder / "objects.csv", city::objectsCsvOf(map, read.plan));

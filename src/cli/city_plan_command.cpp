@@ -85,7 +85,8 @@ void addCityPlanCommand(CLI::App& program) {
         program.add_subcommand("city-plan", "Divide a city into jobs that count hours of sunlight");
     const auto options = std::make_shared<CityPlanOptions>();
     CityPlanOptions& of = *options;
-    verb->add_option("CITY", of.input, "A folder of tiles, or one")->required();
+    verb->add_option("CITY", of.input, "A folder of tiles, a .txt that lists them, or one tile")
+        ->required();
     addText(*verb, "--output", of.output)->required();
     CLI::Option* const place = addOption(*verb, "--place", [&of](const std::string& text) {
         of.place.reset();

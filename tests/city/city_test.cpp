@@ -126,6 +126,26 @@ TEST(City, IsTheSameInEveryFormat) {
     }
 }
 
+TEST(City, TilesMayBeListed) {
+    const test::TempFolder folder;
+    fs::create_directories(folder.path() / "tiles");
+    cityOf(4, 25.0).writeCityJson(folder.path() / "tiles");
+    std::string text = "# tiles\r\n\n";
+    std::size_t count = 0;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder.path() / "tiles")) {
+        text += "tiles/" + entry.path().filename().string() + "\n";
+        ++count;
+    }
+    const std::string list = folder.write("list.txt", std::string_view(text));
+    const SourceList listed = sourcesIn(list, {});
+    EXPECT_EQ(listed.sources.size(), count);
+    EXPECT_TRUE(std::ranges::is_sorted(listed.sources, {}, &Source::file));
+    EXPECT_EQ(mapOfFolder(list, choiceOf(4)).lit,
+              mapOfFolder(folder.path() / "tiles", choiceOf(4)).lit);
+    folder.write("list.txt", std::string_view(text + text));
+    EXPECT_THROW(sourcesIn(list, {}), InputError);
+}
+
 TEST(City, ResultsDependOnNothingElse) {
     const test::TempFolder folder;
     cityOf(5, 10.0).writeGltf(folder.path());

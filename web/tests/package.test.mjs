@@ -26,7 +26,7 @@ test('every entry exports the version', async () => {
     assert.match(readFileSync(join(site, entry), 'utf8'), /^export \{ version \} from '.*\/version\.js';$/m, entry);
 });
 
-test('WebAssembly and JavaScript together weigh at most 830 KB, compressed', () => {
+test('WebAssembly and JavaScript together weigh at most 833 KB, compressed', () => {
   const parts = {};
   const add = (part, path) => {
     parts[part] = (parts[part] ?? 0) + gzipSync(readFileSync(path), { level: 9 }).length;
@@ -38,7 +38,7 @@ test('WebAssembly and JavaScript together weigh at most 830 KB, compressed', () 
       if (file.endsWith('.js')) add(folder, join(site, folder, file));
   console.log(parts);
   const total = Object.values(parts).reduce((sum, part) => sum + part, 0);
-  assert.ok(total <= 830e3, `${total} bytes`);
+  assert.ok(total <= 833e3, `${total} bytes`);
 });
 
 /** The files that npm packs; `text(path)` and `weight(path, …)` read them. */
@@ -56,19 +56,19 @@ const packed = (() => {
   }
 })();
 
-test('the package is at most 1.45 MB, 3.9 MB unpacked', { skip }, () => {
+test('the package is at most 1.45 MB, 3.95 MB unpacked', { skip }, () => {
   const { size, unpackedSize } = packed;
   console.log(`tarball ${size} bytes, unpacked ${unpackedSize}`);
-  assert.ok(size <= 1.45e6 && unpackedSize <= 3.9e6);
+  assert.ok(size <= 1.45e6 && unpackedSize <= 3.95e6);
 });
 
-test('three.js\' adapter weighs at most 468 KB, the element 800 KB, without a bundler, compressed', { skip }, () => {
+test('three.js\' adapter weighs at most 469 KB, the element 800 KB, without a bundler, compressed', { skip }, () => {
   const modules = (...folders) => packed.paths.filter((path) => path.endsWith('.js') && folders.some((folder) => path.startsWith(`dist/${folder}/`)));
   const wasm = (name) => [`dist/wasm/${name}.wasm`, `dist/wasm/${name}.mjs`];
   const adapter = packed.weight(...wasm('edgeshade-masks'), 'dist/element/webassembly.js', ...modules('masks', 'three'));
   const element = packed.weight(...wasm('edgeshade'), ...modules('element'));
   console.log(`adapter ${adapter} bytes, element ${element}`);
-  assert.ok(adapter <= 468e3 && element <= 800e3);
+  assert.ok(adapter <= 469e3 && element <= 800e3);
 });
 
 test('npm packs every entry with its types, workers and WebAssembly', { skip }, () => {
