@@ -5,7 +5,7 @@ import { chromium } from 'playwright-core';
 const flags = ['--headless=new', '--no-sandbox', '--use-gl=angle', '--enable-unsafe-swiftshader',
   '--ignore-gpu-blocklist', '--disable-quic', '--no-first-run',
   '--disable-background-networking', '--disable-component-update', '--disable-sync',
-  '--js-flags=--expose-gc --liftoff-only'];
+  '--js-flags=--expose-gc'];
 
 /** Give pages an adapter of WebGPU that computes on SwiftShader's Vulkan. */
 const webGpuFlags = ['--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader'];
