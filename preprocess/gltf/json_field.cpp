@@ -111,6 +111,13 @@ std::vector<double> JsonField::numbers(std::size_t count) const {
     return all;
 }
 
+void JsonField::requireVersion(const char* key, std::uint64_t version) const {
+    const JsonField says = member(key);
+    if (says.wholeNumber() != version)
+        says.fail(" is " + says.value().dump() + ", but this program reads version " +
+                  std::to_string(version));
+}
+
 bool JsonField::boolean() const {
     if (!value_.is_boolean()) failKind("true or false");
     return value_.get<bool>();
@@ -146,6 +153,12 @@ int JsonField::indexInto(std::size_t count, const char* things) const {
         fail(" is " + std::to_string(value) + ", but there are " + std::to_string(count) + " " +
              things);
     return value;
+}
+
+std::string reasonOf(const nlohmann::json::exception& error) {
+    const std::string message = clauseOf(error.what()); // "[json.exception. ...] text"
+    const std::size_t text = message.find("] ");
+    return message.substr(text == std::string::npos ? 0 : text + 2);
 }
 
 } // namespace edgeshade

@@ -59,6 +59,9 @@ class JsonField {
     /// An index into `count` things named `things`.
     int indexInto(std::size_t count, const char* things) const;
 
+    /// Checks that the member is this version of the file's format.
+    void requireVersion(const char* key, std::uint64_t version) const;
+
     /// Calls check(JsonField) for every item of this array.
     template <class Check>
     void forEachItem(Check check) const {
@@ -105,6 +108,9 @@ class JsonField {
     std::size_t item_ = 0; ///< used if key_ is empty
 };
 
+/// The reason of an error of the JSON library, without its number: "parse error at line 1, ...".
+std::string reasonOf(const nlohmann::json::exception& error);
+
 /// Runs `action`, and turns exceptions of the JSON library into an InputError that names the file.
 /// This is a safety net below the checks: every field should have been read as a JsonField first.
 template <class Action>
@@ -112,10 +118,7 @@ auto withJsonErrors(const std::filesystem::path& file, Action action) {
     try {
         return action();
     } catch (const nlohmann::json::exception& error) {
-        const std::string message = clauseOf(error.what()); // "[json.exception. ...] text"
-        const std::size_t text = message.find("] ");
-        throw InputError("'" + file.string() + "' is not valid glTF 2.0: " +
-                         message.substr(text == std::string::npos ? 0 : text + 2) + ".");
+        throw InputError("'" + file.string() + "' is not valid glTF 2.0: " + reasonOf(error) + ".");
     }
 }
 

@@ -127,19 +127,17 @@ std::string cityJsonWithHours(const CityMap& map, const Plan& plan, std::size_t 
     const Source& of = plan.sources[source].source;
     const Bytes bytes = bytesOf(plan.folder, of, plan.reading);
     const std::string_view text = textOf(bytes);
-    const bool isSequence = of.kind == SourceKind::cityJsonSequence;
     std::string all;
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end =
-            isSequence ? std::min(text.find('\n', at), text.size()) : text.size();
-        const std::string_view part = text.substr(at, end - at);
-        at = end + 1;
-        if (part.find_first_not_of(" \t\r") == std::string_view::npos) continue;
+    const auto add = [&](std::string_view part) {
         Json json = jsonFrom(part, "'" + (plan.folder / of.file).string() +
                                        "' has changed since the plan was made");
         addHours(map, named, json);
         all += json.dump() + "\n";
-    }
+    };
+    if (of.kind == SourceKind::cityJsonSequence)
+        forEachLine(text, [&](std::string_view line, std::size_t) { add(line); });
+    else
+        add(text);
     return all;
 }
 

@@ -1,6 +1,6 @@
 #include "src/city/city_json.hpp"
 
-#include "preprocess/gltf/json_field.hpp"
+#include "preprocess/gltf/json_vectors.hpp"
 #include "src/city/byte_text.hpp"
 #include "src/city/json_text.hpp"
 #include "src/city/lattice.hpp"
@@ -12,6 +12,7 @@
 #include <map>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 
 namespace edgeshade::city {
 namespace {
@@ -53,12 +54,8 @@ struct Transform {
 
     explicit Transform(const JsonField& root) {
         const JsonField transform = root.member("transform");
-        scale = vectorOf(transform.member("scale"));
-        translate = vectorOf(transform.member("translate"));
-    }
-    static glm::dvec3 vectorOf(const JsonField& field) {
-        const std::vector<double> numbers = field.numbers(3);
-        return {numbers[0], numbers[1], numbers[2]};
+        scale = vectorFrom(transform.member("scale"));
+        translate = vectorFrom(transform.member("translate"));
     }
     glm::dvec3 placeOf(const JsonField& vertex) const {
         vertex.requireArray();
@@ -249,26 +246,21 @@ CityTile tileFromCityJson(const Bytes& bytes, const std::filesystem::path& path,
         reading.readObjects(root);
         return reading.result();
     }
-    std::size_t line = 0;
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = std::min(text.find('\n', at), text.size());
-        const std::string_view part = text.substr(at, end - at);
-        at = end + 1;
-        ++line;
-        if (part.find_first_not_of(" \t\r") == std::string_view::npos) continue;
-        const std::string name = "line " + std::to_string(line);
-        const Json json = jsonFrom(part, "'" + path.string() + "', " + name + " is not valid JSON");
+    bool hasHeader = false;
+    forEachLine(text, [&](std::string_view line, std::size_t number) {
+        const std::string name = "line " + std::to_string(number);
+        const Json json = jsonFrom(line, "'" + path.string() + "', " + name + " is not valid JSON");
         const JsonField root(path, json, name.c_str());
         root.requireObject();
-        if (line == 1) {
+        if (!std::exchange(hasHeader, true)) {
             reading.readHeader(root);
         } else if (root.member("type").text() != "CityJSONFeature") {
             root.member("type").fail(" is '" + root.member("type").text() +
                                      "', but must be 'CityJSONFeature'");
         }
         reading.readObjects(root);
-    }
-    if (line == 0) throw InputError("'" + path.string() + "' is empty.");
+    });
+    if (!hasHeader) throw InputError("'" + path.string() + "' is empty.");
     return reading.result();
 }
 

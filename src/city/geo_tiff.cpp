@@ -14,8 +14,6 @@ namespace edgeshade::city {
 namespace {
 
 constexpr std::int64_t tileSide = 256;
-/// GDAL's tag of the value that means no data, as text.
-constexpr ttag_t noDataTag = 42113;
 constexpr float noData = -1.0f;
 
 void declareNoData(TIFF* tiff) {

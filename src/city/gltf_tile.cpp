@@ -1,6 +1,6 @@
 #include "src/city/gltf_tile.hpp"
 
-#include "preprocess/gltf/json_field.hpp"
+#include "preprocess/gltf/json_vectors.hpp"
 #include "preprocess/reading/flatten.hpp"
 #include "preprocess/reading/scene_names.hpp"
 #include "src/city/tile_writer.hpp"
@@ -75,10 +75,8 @@ std::span<const std::uint8_t> glbOfB3dm(std::span<const std::uint8_t> bytes,
         });
         const JsonField table(path, json, "featureTable");
         table.requireObject();
-        table.ifPresent("RTC_CENTER", [&](const JsonField& center) {
-            const std::vector<double> at = center.numbers(3);
-            relativeTo = {at[0], at[1], at[2]};
-        });
+        table.ifPresent("RTC_CENTER",
+                        [&](const JsonField& center) { relativeTo = vectorFrom(center); });
     }
     return bytes.subspan(start, length - start);
 }

@@ -1,7 +1,7 @@
 #include "src/city/job_result.hpp"
 
-#include "preprocess/gltf/json_field.hpp"
 #include "src/city/byte_text.hpp"
+#include "src/city/cell_range_json.hpp"
 #include "src/city/json_text.hpp"
 #include "src/city/top_surface.hpp"
 #include "src/image/zlib.hpp"
@@ -43,21 +43,15 @@ class Taking {
 
 JobResult headerFrom(const JsonField& root) {
     root.requireObject();
-    const JsonField says = root.member(versionKey);
-    if (says.wholeNumber() != version)
-        says.fail(" is " + says.value().dump() + ", but this program reads version " +
-                  std::to_string(version));
+    root.requireVersion(versionKey, version);
     JobResult result;
     result.plan = root.member("plan").text();
     result.job = root.member("job").wholeNumber();
     const JsonField cells = root.member("cells");
-    cells.requireArray();
-    if (cells.size() != 4) cells.fail(" is not four numbers");
-    const auto at = [&](std::size_t i) { return cells.item(i).integer(); };
-    result.cells = {at(0), at(1), at(2), at(3)};
-    const std::int64_t columns = result.cells.columns(), rows = result.cells.rows();
-    if (columns < 1 || rows < 1 || static_cast<std::uint64_t>(columns) > mostCells ||
-        static_cast<std::uint64_t>(rows) > mostCells / static_cast<std::uint64_t>(columns))
+    result.cells = cellRangeFrom(cells);
+    const auto columns = static_cast<std::uint64_t>(result.cells.columns()),
+               rows = static_cast<std::uint64_t>(result.cells.rows());
+    if (columns > mostCells || rows > mostCells / columns)
         cells.fail(" is " + cells.value().dump() + ", which is no range of cells");
     result.positions = root.member("positions").wholeNumber(65535);
     root.member("objects").forEachItem([&](const JsonField& object) {
@@ -95,15 +89,14 @@ Bytes bytesOfResult(const JobResult& result) {
     for (const ResultObject& object : result.named)
         objects.push_back(
             {{"source", object.source}, {"id", object.id}, {"building", object.isBuilding}});
-    const CellRange& cells = result.cells;
     const Json header = {{versionKey, version},
                          {"plan", result.plan},
                          {"job", result.job},
-                         {"cells", {cells.left, cells.bottom, cells.right, cells.top}},
+                         {"cells", jsonOf(result.cells)},
                          {"positions", result.positions},
                          {"objects", std::move(objects)}};
     Bytes planes;
-    planes.reserve(bytesOfCell * cells.count());
+    planes.reserve(bytesOfCell * result.cells.count());
     for (const std::uint16_t lit : result.lit)
         append(planes, lit);
     for (const std::uint32_t object : result.objects)

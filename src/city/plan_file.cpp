@@ -1,8 +1,9 @@
 #include "src/city/plan_file.hpp"
 
 #include "preprocess/base/sha256.hpp"
-#include "preprocess/gltf/json_field.hpp"
+#include "preprocess/gltf/json_vectors.hpp"
 #include "src/city/byte_text.hpp"
+#include "src/city/cell_range_json.hpp"
 #include "src/city/json_text.hpp"
 #include "src/hours/settings.hpp"
 
@@ -17,9 +18,6 @@ constexpr const char* versionKey = "edgeshade_city_plan";
 
 Json jsonOf(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
-}
-Json jsonOf(const CellRange& cells) {
-    return {cells.left, cells.bottom, cells.right, cells.top};
 }
 Json jsonOf(const glm::dmat4& matrix) {
     Json json = Json::array();
@@ -59,20 +57,6 @@ Json jsonOf(const Job& job, std::size_t number) {
             {"memory", job.memory}};
 }
 
-glm::dvec3 vectorOf(const JsonField& field) {
-    const std::vector<double> of = field.numbers(3);
-    return {of[0], of[1], of[2]};
-}
-
-CellRange cellsOf(const JsonField& field) {
-    field.requireArray();
-    if (field.size() != 4) field.fail(" is not four numbers");
-    const auto at = [&](std::size_t i) { return field.item(i).integer(); };
-    const CellRange cells{at(0), at(1), at(2), at(3)};
-    if (cells.columns() < 1 || cells.rows() < 1) field.fail(" is no range of cells");
-    return cells;
-}
-
 hours::Schedule scheduleOf(const JsonField& field) {
     hours::Schedule schedule;
     const std::vector<double> place = field.member("place").numbers(2);
@@ -106,20 +90,18 @@ PlannedSource sourceOf(const JsonField& field) {
     if (!box.value().is_null()) {
         box.requireArray();
         if (box.size() != 2) box.fail(" is not two corners");
-        planned.box.add(vectorOf(box.item(0)));
-        planned.box.add(vectorOf(box.item(1)));
+        planned.box.add(vectorFrom(box.item(0)));
+        planned.box.add(vectorFrom(box.item(1)));
     }
     field.ifPresent("transform", [&](const JsonField& transform) {
-        const std::vector<double> of = transform.numbers(16);
-        for (glm::length_t i = 0; i < 16; ++i)
-            planned.source.frameFromTile[i / 4][i % 4] = of[static_cast<std::size_t>(i)];
+        planned.source.frameFromTile = matrixFrom(transform);
     });
     return planned;
 }
 
 Job jobOf(const JsonField& field, std::size_t sources) {
     Job job;
-    job.cells = cellsOf(field.member("cells"));
+    job.cells = cellRangeFrom(field.member("cells"));
     job.lowest = field.member("lowest").number();
     field.member("sources").forEachItem([&](const JsonField& source) {
         job.sources.push_back(static_cast<std::size_t>(source.indexInto(sources, "sources")));
@@ -153,10 +135,7 @@ ReadPlan planFrom(const std::filesystem::path& path) {
     const Json json = jsonFrom(textOf(bytes), "'" + path.string() + "' is not a plan of city plan");
     const JsonField root(path, json);
     root.requireObject();
-    const JsonField says = root.member(versionKey);
-    if (says.wholeNumber() != version)
-        says.fail(" is " + says.value().dump() + ", but this program reads version " +
-                  std::to_string(version));
+    root.requireVersion(versionKey, version);
     ReadPlan read{{}, sha256(bytes)};
     Plan& plan = read.plan;
     plan.folder = path.parent_path() / root.member("folder").text();
@@ -165,7 +144,7 @@ ReadPlan planFrom(const std::filesystem::path& path) {
     if (!lod.value().is_null()) plan.reading.lod = lod.number();
     plan.schedule = scheduleOf(root.member("schedule"));
     plan.grid = root.member("grid").positive();
-    plan.region = cellsOf(root.member("region"));
+    plan.region = cellRangeFrom(root.member("region"));
     root.member("sources").forEachItem(
         [&](const JsonField& source) { plan.sources.push_back(sourceOf(source)); });
     root.member("jobs").forEachItem([&](const JsonField& job) {

@@ -19,8 +19,6 @@ namespace edgeshade::city {
 
 namespace {
 
-/// GDAL's tag of the value that means no data, as text.
-constexpr ttag_t noDataTag = 42113;
 constexpr std::uint64_t mostPixels = std::uint64_t{1} << 26;
 
 /// Heights row by row from the north, NaN without data.

@@ -12,6 +12,9 @@
 
 namespace edgeshade::city {
 
+/// GDAL's tag of the value that means no data, as text.
+inline constexpr ttag_t noDataTag = 42113;
+
 /// Bytes with libtiff's position in them.
 struct TiffMemory {
     Bytes bytes;

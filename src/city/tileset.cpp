@@ -1,6 +1,6 @@
 #include "src/city/tileset.hpp"
 
-#include "preprocess/gltf/json_field.hpp"
+#include "preprocess/gltf/json_vectors.hpp"
 #include "src/city/byte_text.hpp"
 #include "src/city/geodetic.hpp"
 #include "src/city/gltf_tile.hpp"
@@ -18,13 +18,8 @@ constexpr int mostNested = 16;
 constexpr double leastEarthRadius = 6.0e6;
 
 glm::dmat4 transformOf(const JsonField& tile) {
-    glm::dmat4 transform(1.0);
-    tile.ifPresent("transform", [&](const JsonField& field) {
-        const std::vector<double> numbers = field.numbers(16);
-        for (glm::length_t i = 0; i < 16; ++i)
-            transform[i / 4][i % 4] = numbers[static_cast<std::size_t>(i)];
-    });
-    return transform;
+    const auto transform = tile.find("transform");
+    return transform ? matrixFrom(*transform) : glm::dmat4(1.0);
 }
 
 /// The middle of a tile's bounding volume in its own axes; that of a region in earth-centred ones.

@@ -2,7 +2,7 @@
 
 #include "preprocess/base/base64.hpp"
 #include "preprocess/gltf/data_uri.hpp"
-#include "preprocess/gltf/json_field.hpp"
+#include "preprocess/gltf/json_vectors.hpp"
 #include "src/hours/settings.hpp"
 #include "src/image/zlib.hpp"
 
@@ -65,8 +65,7 @@ Json vectorJson(const glm::dvec3& v) {
 }
 
 glm::dvec3 vectorOf(const JsonField& field) {
-    const std::vector<double> numbers = field.numbers(3);
-    const glm::dvec3 vector(numbers[0], numbers[1], numbers[2]);
+    const glm::dvec3 vector = vectorFrom(field);
     for (glm::length_t c = 0; c < 3; ++c)
         if (!std::isfinite(vector[c])) field.fail(" is not finite");
     return vector;
@@ -167,10 +166,7 @@ Exposure exposureOf(const JsonField& root, const std::filesystem::path& path, co
 Part partOf(const Json& json, const std::filesystem::path& path) {
     const JsonField root(path, json);
     root.requireObject();
-    const JsonField saysVersion = root.member(versionKey);
-    if (saysVersion.wholeNumber() != version)
-        saysVersion.fail(" is " + saysVersion.value().dump() + ", but this program reads version " +
-                         std::to_string(version));
+    root.requireVersion(versionKey, version);
     Part part;
     const JsonField of = root.member("parts"), number = root.member("part");
     part.of = of.wholeNumber(mostParts);

@@ -102,6 +102,10 @@ TEST(CityJson, SequencesNameTheLine) {
     };
     EXPECT_EQ(areaOf(readText(header.dump() + "\n" + feature.dump() + "\n"), SurfaceKind::roof),
               12.0);
+    EXPECT_EQ(areaOf(readText("\n" + header.dump() + "\n" + feature.dump()), SurfaceKind::roof),
+              12.0);
+    test::expectInputError([&] { readText("\n" + feature.dump()); }, {"line 2.type", "'CityJSON'"});
+    test::expectInputError([&] { readText("\n \n"); }, {"is empty"});
     test::expectInputError([&] { readText(header.dump() + "\n{"); }, {"line 2", "not valid JSON"});
     test::expectInputError([&] { readText(header.dump() + "\n\n" + header.dump()); },
                            {"line 3.type", "CityJSONFeature"});
