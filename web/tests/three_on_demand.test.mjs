@@ -12,6 +12,7 @@ async function onDemand(act, options = {}) {
   const page = await openThree(shared);
   const told = await page.evaluate(async ([text, settings]) => {
     const { three, yard, ExactShadows, cameraOf, redOf, comparedWithRays, whiten } = window.page;
+    const { building } = await import('/tests/building.js'); // before the shadows start: acts draw their first frame without them
     const world = yard({ width: 160, height: 90 });
     const { renderer, scene, light } = world;
     whiten(scene);
@@ -30,7 +31,7 @@ async function onDemand(act, options = {}) {
       return { count: frames.splice(0).map(({ lookedUp, pending }) => `${pending} pending, ${lookedUp} looked up`), needsUpdate: shadows.needsUpdate,
         right: comparedWithRays(redOf(renderer), renderer, scene, camera, light) };
     };
-    return (0, eval)(`(${text})`)({ ...world, three, camera, shadows, draw, settled, frames, building: (await import('/tests/building.js')).building });
+    return (0, eval)(`(${text})`)({ ...world, three, camera, shadows, draw, settled, frames, building });
   }, [act.toString(), options]);
   await shared.check(page, [/GPU stall due to ReadPixels/]);
   return told;
