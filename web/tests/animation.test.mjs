@@ -5,7 +5,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { drop, settled, smallPage, stateOf, useBrowser } from './support/browser.mjs';
-import { rendered } from './support/native.mjs';
+import { rendered, size } from './support/native.mjs';
 import { compare, picture } from './support/pictures.mjs';
 import { smallGlb } from './support/scenes.mjs';
 import { repository } from './support/server.mjs';
@@ -134,7 +134,7 @@ async function requireNative(page, name, clip) {
 }
 
 test('a figure with a skin walks, and waves when that clip is chosen', async () => {
-  const page = await shared.open('/', { size: { width: 1280, height: 720 } });
+  const page = await shared.open('/', { size });
   await dropped(page, 'walking-figure.glb');
   assert.deepEqual(await page.evaluate(() => [...document.querySelector('#clip').options].map(({ text }) => text)),
     ['walk', 'wave', 'jump']);
@@ -162,7 +162,7 @@ test('a figure with a skin walks, and waves when that clip is chosen', async () 
 });
 
 test('a ball with morph targets morphs', async () => {
-  const page = await shared.open('/', { size: { width: 1280, height: 720 } });
+  const page = await shared.open('/', { size });
   await dropped(page, 'morphing-ball.glb');
   for (const time of [0.25, 1, 1.5]) {
     await change(page, { time });

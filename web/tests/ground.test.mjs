@@ -53,7 +53,7 @@ test('grounds look as they do natively', async () => {
     pictures.push(shown);
   }
   const { different } = await compare(page, pictures[0], pictures[2]);
-  assert.ok(different > 2000, `a shadow of ${different} pixels`);
+  assert.ok(different > 800, `a shadow of ${different} pixels`);
   await shared.check(page);
 });
 

@@ -14,7 +14,7 @@ const look = ['--shading', 'base'];
 /** Requires the native picture, except for outlines, which two rasterisers with 4 and 8 subpixel
  * bits put into neighbouring pixels, and slivers whose depth the coarser one loses
  * (docs/robustness.md): at most `most` pixels away from outlines, and a `share` of all. */
-async function requireAlike(page, name, most = 100, share = 0.0035, options = []) {
+async function requireAlike(page, name, most = 100, share = 0.0055, options = []) {
   const native = rendered(await stateOf(page), options);
   const { pixels, different, astray, colors } = await compare(page, await picture(page), native);
   console.log(`${name}: ${different} of ${pixels} pixels differ, ${astray} away from outlines`);

@@ -20,7 +20,7 @@ const lookedUp = (page) => page.waitForFunction(() => {
 test('lights at rest see what the native program looks up', async () => {
   const page = await shared.open('/tests/plain.html');
   await change(page, { left: { shadows: 'primitive-map' } });
-  for (const { name, camera, lights, astray = 100, share = 0.0035 } of views.slice(0, times(3, views.length))) {
+  for (const { name, camera, lights, astray = 100, share = 0.0055 } of views.slice(0, times(3, views.length))) {
     await change(page, { camera, lights });
     await lookedUp(page);
     const native = rendered(await stateOf(page), ['--shadows', 'primitive-map']);

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { smallPage, stateOf, useBrowser } from './support/browser.mjs';
-import { rendered } from './support/native.mjs';
+import { rendered, size as pictureSize } from './support/native.mjs';
 import { compare, picture } from './support/pictures.mjs';
 import { changesFromAttributes } from '../element/attributes.js';
 import { withExtent } from '../element/lights.js';
@@ -72,7 +72,7 @@ test('sliders make lights larger, shadows follow, and the address keeps it', asy
 });
 
 test('the picture is hard while something moves, then that of the program', async () => {
-  const page = await shared.open('/', { size: { width: 1280, height: 720 } });
+  const page = await shared.open('/', { size: pictureSize });
   await change(page, { show_lights: false, ambient: 0.4, light_samples: 16, left: { shadows: 'volumes' },
     lights: [{ direction: sun, angle: 5 }] });
   await soft(page, 16);

@@ -4,13 +4,12 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { settled, smallPage, stateOf, useBrowser, waitForNotice } from './support/browser.mjs';
-import { sunHours } from './support/native.mjs';
+import { size, sunHours } from './support/native.mjs';
 import { changesFromAttributes } from '../element/attributes.js';
 import { durationText, hoursText, progressText } from '../page/sun-hours.js';
 import { hashOf, readHash } from '../page/url-state.js';
 
 const shared = useBrowser();
-const size = { width: 1280, height: 720 };
 const munich = { place: [48.14, 11.57], time: '2026-03-21T10:00+01:00', north: 25 };
 const spring = 'place=48.14,11.57&time-of-day=2026-03-21T10:00%2B01:00&north=25';
 const address = `${smallPage}&${spring}`;
@@ -37,8 +36,8 @@ test('counts are those of the program, and the pointer is told them', async () =
   const counts = sunHours({ sun, camera }, 30);
   assert.equal(counts.of, 24);
   const places = [];
-  for (let y = 8; y < size.height; y += 16)
-    for (let x = 8; x < size.width; x += 16) places.push([x, y]);
+  for (let y = 5; y < size.height; y += 10)
+    for (let x = 5; x < size.width; x += 10) places.push([x, y]);
   const shown = await hoursAt(page, places.map(([x, y]) => [x + 0.5, y + 0.5]));
   let [different, farApart] = [0, 0];
   const values = new Set();
@@ -59,7 +58,7 @@ test('counts are those of the program, and the pointer is told them', async () =
 
   const of = await page.evaluate(() => document.querySelector('#hours').getBoundingClientRect().top);
   const at = (wanted) => places[shown.findIndex((here, i) =>
-    wanted(here) && places[i][0] < 900 && places[i][1] < of - 40)];
+    wanted(here) && places[i][0] < 0.7 * size.width && places[i][1] < of - 40)];
   const sunny = at((here) => here?.lit > 3 && here.lit < 24);
   await page.mouse.move(...sunny);
   const { lit } = shown[places.indexOf(sunny)];

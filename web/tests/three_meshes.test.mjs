@@ -14,7 +14,7 @@ const shared = useBrowser({ angle: 'gl-egl' });
  * warnings.
  */
 async function inCourt(act, { release, looked = false, settings = {} } = {}) {
-  const page = await openThree(shared, release);
+  const page = await openThree(shared, release, { haste: looked ? 5 : 1 }); // movers rest for five seconds
   const told = await page.evaluate(async ([text, lookups, given]) => {
     const { ExactShadows, rendererOf, court, redOf, judged, rested } = window.page;
     const renderer = rendererOf({ width: 160, height: 100 });
@@ -26,7 +26,7 @@ async function inCourt(act, { release, looked = false, settings = {} } = {}) {
     const draw = async () => {
       if (await rested(shadows, scene, camera, lookups) !== lookups) throw new Error(`${shadows.cost.lookedUp} lights are looked up`);
       // Surfaces that masks can't show lack the shadows of movers.
-      for (const since = performance.now(); lookups && shadows.lights[0].method !== 'lookup' && performance.now() - since < 30000;) {
+      for (const since = Date.now(); lookups && shadows.lights[0].method !== 'lookup' && Date.now() - since < 30000;) {
         await new Promise((resolve) => { setTimeout(resolve, 150); });
         shadows.render(scene, camera);
       }

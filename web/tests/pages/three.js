@@ -80,7 +80,7 @@ const frame = () => new Promise((resolve) => { requestAnimationFrame(resolve); }
  */
 async function rested(shadows, scene, camera, lights = 1) {
   await drawn(shadows, scene, camera);
-  for (const since = performance.now(); shadows.cost.lookedUp !== lights && performance.now() - since < 30000;) {
+  for (const since = Date.now(); shadows.cost.lookedUp !== lights && Date.now() - since < 30000;) {
     await new Promise((resolve) => { setTimeout(resolve, 150); }); // otherwise drawing takes the
                                                                    // time that building needs
     shadows.render(scene, camera);

@@ -24,10 +24,18 @@ function withoutAntialiasing() {
   };
 }
 
+/** Clocks of the page and of its WebAssembly run this many times as fast, for tests that wait for long rests. */
+function hurry(factor) {
+  const { now } = Performance.prototype;
+  Performance.prototype.now = function () { return factor * now.call(this); };
+  const { setTimeout } = window;
+  window.setTimeout = (act, milliseconds = 0, ...given) => setTimeout.call(window, act, milliseconds / factor, ...given);
+}
+
 /**
  * Call it at the top of a test file; `angle` and `webGpu` as in chromium.mjs, `roots` as in server.mjs.
- * open(path, options) returns a page that has loaded its scene, without antialiasing by default; check(page)
- * fails if anything was reported to its console.
+ * open(path, options) returns a page that has loaded its scene, without antialiasing by default, whose
+ * clock runs `haste` times as fast; check(page) fails if anything was reported to its console.
  */
 export function useBrowser({ angle, webGpu, roots } = {}) {
   const shared = {};
@@ -40,7 +48,7 @@ export function useBrowser({ angle, webGpu, roots } = {}) {
     await shared.server?.close();
   });
 
-  shared.open = async (path = smallPage, { size = { width: 800, height: 500 }, init, scene = true, antialias = false, ...context } = {}) => {
+  shared.open = async (path = smallPage, { size = { width: 800, height: 500 }, init, haste = 1, scene = true, antialias = false, ...context } = {}) => {
     const made = await shared.browser.newContext({ viewport: size, ...context });
     const page = await made.newPage();
     page.setDefaultTimeout(60000);
@@ -51,6 +59,7 @@ export function useBrowser({ angle, webGpu, roots } = {}) {
     page.on('pageerror', (error) => page.reports.push(String(error)));
     if (!antialias) await page.addInitScript(withoutAntialiasing);
     if (init) await page.addInitScript(init);
+    if (haste !== 1) await page.addInitScript(hurry, haste);
     await page.goto(new URL(path, shared.server.address).href);
     if (scene) await loaded(page);
     return page;

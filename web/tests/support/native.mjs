@@ -7,6 +7,9 @@ import { join } from 'node:path';
 import { greyAlphaOf } from './png.mjs';
 import { repository } from './server.mjs';
 
+/** Size of pictures that are compared, and of the element in plain.html. */
+export const size = { width: 800, height: 450 };
+
 export const program = process.env.EDGESHADE_PROGRAM ?? join(repository, 'build/release/edgeshade');
 
 /** Calls `make` with a temporary folder, deletes the folder, and returns the result. */
@@ -39,7 +42,7 @@ export const rendered = ({ camera: { from, to, fov }, lights, left }, options = 
   if (range) light.push('--light-range', `${range}`);
   if (left?.mask_scale > 1) light.push('--mask-scale', `1/${left.mask_scale}`);
   execFileSync(program, ['render', file, png,
-    '--size', '1280x720', '--camera-from', `${from}`, '--camera-to', `${to}`, '--fov', `${fov}`,
+    '--size', `${size.width}x${size.height}`, '--camera-from', `${from}`, '--camera-to', `${to}`, '--fov', `${fov}`,
     '--ambient', '0.4', ...light, ...options],
   { stdio: 'pipe', timeout: 60000,
     env: { ...process.env, ...(filtersExactly && { GALLIVM_PERF: 'no_aos_sampling' }) } });
@@ -51,7 +54,7 @@ export const rendered = ({ camera: { from, to, fov }, lights, left }, options = 
 export const sunHours = ({ sun: { place, time, north }, camera: { from, to, fov } }, step) => inFolder((folder) => {
   const [counts, report] = [join(folder, 'counts.png'), join(folder, 'report.json')];
   execFileSync(program, ['sunhours', join(repository, 'assets/pavilion.glb'), join(folder, 'hours.png'), '--by', 'masks',
-    '--size', '1280x720', '--camera-from', `${from}`, '--camera-to', `${to}`, '--fov', `${fov}`,
+    '--size', `${size.width}x${size.height}`, '--camera-from', `${from}`, '--camera-to', `${to}`, '--fov', `${fov}`,
     '--place', `${place}`, '--north', `${north}`, '--date', time.slice(0, 10), '--utc-offset', time.slice(-6),
     '--step', `${step}`, '--counts', counts, '--report', report], { stdio: 'pipe', timeout: 120000 });
   const { width, values } = greyAlphaOf(readFileSync(counts));
@@ -80,5 +83,5 @@ export const views = [
   { name: 'from inside', camera: { from: [0.5, 1.6, 3.5], to: [-0.5, 1.2, -2], fov: 70 }, lights: [[-0.62, 0.62, -0.3, 0]] },
   { name: 'a lamp, from the side', camera: { from: [9, 1.2, 1], to: [0, 1.5, 0], fov: 40 }, lights: [[1.5, 2.2, 2, 1]] },
   // Two suns make twice the shadows and twice the outlines.
-  { name: 'two suns', camera: { from: [-2.6, 3.6, 10.2], to: [0.2, 1.3, -0.2], fov: 45 }, lights: [[-0.62, 0.62, -0.3, 0], [0.5, 1, 0.4, 0]], share: 0.005 },
+  { name: 'two suns', camera: { from: [-2.6, 3.6, 10.2], to: [0.2, 1.3, -0.2], fov: 45 }, lights: [[-0.62, 0.62, -0.3, 0], [0.5, 1, 0.4, 0]], share: 0.008 },
 ];

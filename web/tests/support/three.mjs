@@ -20,10 +20,10 @@ export async function openThree(shared, release = 'three', options = {}) {
 
 /**
  * Runs `act(page, given)` in a page with three.js that draws with the native program's GL; returns
- * its result, and the page. Skips the test with another GL.
+ * its result, and the page. `options` as in openThree(). Skips the test with another GL.
  */
-export async function inNativeGl(shared, context, act, given = {}, release = undefined) {
-  const page = await openThree(shared, release);
+export async function inNativeGl(shared, context, act, given = {}, release = undefined, options = {}) {
+  const page = await openThree(shared, release, options);
   const name = await page.evaluate(() => window.page.rendererName());
   if (!/llvmpipe/.test(name)) {
     context.skip(`Chromium draws with ${name} here`);
@@ -35,11 +35,11 @@ export async function inNativeGl(shared, context, act, given = {}, release = und
 }
 
 /**
- * Runs `act(page, foliage, given)` in a page with three.js, with foliage.js, tint-rays.js and soft-rays.js; returns
- * its result, and the page's reports, of which `allowed` patterns are expected.
+ * Runs `act(page, foliage, given)` in a page with three.js, with foliage.js, tint-rays.js and soft-rays.js, whose
+ * clock is hasty; returns its result, and the page's reports, of which `allowed` patterns are expected.
  */
 export async function inFoliage(shared, act, { release, allowed, given } = {}) {
-  const page = await openThree(shared, release);
+  const page = await openThree(shared, release, { haste: 5 });
   const told = await page.evaluate(async ([text, value]) => {
     const foliage = { ...await import('/tests/foliage.js'), ...await import('/tests/tint-rays.js'), ...await import('/tests/soft-rays.js') };
     return (0, eval)(`(${text})`)(window.page, foliage, value);
