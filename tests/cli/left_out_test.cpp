@@ -49,14 +49,18 @@ Bytes pictureOf(const GltfBuilder& gltf) {
 }
 
 /// Picture of the sound scene with its material's factor.
-Bytes plainPicture() {
-    GltfBuilder gltf = soundScene();
-    gltf.json["materials"][0]["pbrMetallicRoughness"].erase("baseColorTexture");
-    return pictureOf(gltf);
+const Bytes& plainPicture() {
+    static const Bytes picture = [] {
+        GltfBuilder gltf = soundScene();
+        gltf.json["materials"][0]["pbrMetallicRoughness"].erase("baseColorTexture");
+        return pictureOf(gltf);
+    }();
+    return picture;
 }
 
-Bytes soundPicture() {
-    return pictureOf(soundScene());
+const Bytes& soundPicture() {
+    static const Bytes picture = pictureOf(soundScene());
+    return picture;
 }
 
 Json jsonOf(const std::filesystem::path& glb) {
