@@ -44,12 +44,9 @@ Json measured(const std::string& path) {
             return *std::max_element(of.begin() + 1, of.end()); // the first prepares
         };
         json[shadows == SectionShadows::cut ? "cut" : "whole"] = {
-            {"first_ms", cutMs.front()},
-            {"cut_ms", bench::median(cutMs)},
-            {"cut_ms_worst", worst(cutMs)},
-            {"tree_ms", bench::median(treeMs)},
-            {"tree_ms_worst", worst(treeMs)},
-            {"step_ms", bench::median(stepMs)},
+            {"first_ms", cutMs.front()},      {"cut_ms", bench::median(cutMs)},
+            {"cut_ms_worst", worst(cutMs)},   {"tree_ms", bench::median(treeMs)},
+            {"tree_ms_worst", worst(treeMs)}, {"step_ms", bench::median(stepMs)},
             {"first_tree_ms", treeMs.front()}};
     }
     return json;
