@@ -66,6 +66,8 @@ struct Geometry {
     std::optional<std::vector<std::uint32_t>> simplifiedCasters;
 };
 
+struct CutOrigins;
+
 /// Triangles that move together. All static nodes are one batch, and every animated node is
 /// another. Triangles deformed by an animated skin or animated morph weights are batches of their
 /// own. So is each place of a mesh worth keeping once; these batches share their geometry.
@@ -86,6 +88,10 @@ struct Batch {
 
     std::shared_ptr<const Deformation> deformation; ///< null: the batch is rigid
     BatchShape shape;                               ///< its present shape, if it deforms
+
+    /// Origins of the triangles of a geometry that a section has cut; null: the geometry is as it
+    /// was before, or of an earlier cut. Whoever edits the geometry must reset this.
+    std::shared_ptr<const CutOrigins> origins;
 
     /// Whether its transform reverses winding.
     bool isMirrored() const { return glm::determinant(glm::dmat3(worldFromBatch)) < 0.0; }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "preprocess/scene/scene.hpp"
+
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -12,16 +14,11 @@ struct CutOrigins {
     static constexpr std::uint32_t piece = std::uint32_t{1} << 31;
     static constexpr std::uint32_t fill = std::numeric_limits<std::uint32_t>::max();
 
+    CopyOnWrite<Geometry> from; ///< the geometry before
     /// For each triangle of the cut geometry, its number in the geometry before, perhaps with
-    /// `piece`; or `fill`. Empty: the geometry is the one before, or that of an earlier cut.
+    /// `piece`; or `fill`.
     std::vector<std::uint32_t> ofTriangle;
     std::vector<std::uint32_t> met; ///< triangles of the geometry before, ascending
-
-    /// Keeps the memory, since most cuts follow others like them.
-    void clear() {
-        ofTriangle.clear();
-        met.clear();
-    }
 };
 
 } // namespace edgeshade

@@ -102,24 +102,19 @@ void SceneCutter::addMaterials(const Section& section, std::vector<Material>& ma
 }
 
 Scene SceneCutter::cut(const Section& section) {
-    origins_.resize(whole_->batches.size());
-    for (CutOrigins& origins : origins_)
-        origins.clear();
     Scene scene = *whole_;
     if (section.planes.empty()) return scene;
     scene.cutFrom = CutFrom{whole_, section};
     scene.culls = false;
     addMaterials(section, scene.materials);
     const Cutting cutting{section, whole_->materials, castMasked_};
-    for (std::size_t i = 0; i < scene.batches.size(); ++i) {
-        Batch& batch = scene.batches[i];
+    for (Batch& batch : scene.batches)
         if (!batch.ground && !batch.hidden && !batch.geometry->indices.empty())
-            cutBatch(batch, cutting, origins_[i]);
-    }
+            cutBatch(batch, cutting);
     return scene;
 }
 
-void SceneCutter::cutBatch(Batch& batch, const Cutting& cutting, CutOrigins& origins) {
+void SceneCutter::cutBatch(Batch& batch, const Cutting& cutting) {
     std::vector<glm::dvec4> planes;
     for (const glm::dvec4& plane : cutting.section.planes)
         planes.push_back(planeInBatch(plane, batch.worldFromBatch));
@@ -127,7 +122,10 @@ void SceneCutter::cutBatch(Batch& batch, const Cutting& cutting, CutOrigins& ori
     const Geometry& from = *before;
     Known& known = knownOf(from);
     const BoxSide side = sideOf(known.bounds, planes);
-    if (side != BoxSide::crossed) known.made.clear();
+    if (side != BoxSide::crossed) {
+        known.made.clear();
+        known.origins.clear();
+    }
     if (side == BoxSide::kept) return;
     batch.deformation = nullptr;
     if (side == BoxSide::away) {
@@ -141,6 +139,9 @@ void SceneCutter::cutBatch(Batch& batch, const Cutting& cutting, CutOrigins& ori
         }
     }
     const std::vector<TriangleFate> fates = fatesOf(from, planes);
+    CutOrigins origins = known.origins.take();
+    origins.from = before;
+    origins.ofTriangle.clear();
     origins.met = metOf(fates);
     if (known.solid.empty() && !origins.met.empty())
         known.solid = solidTriangles(from, whole_->materials);
@@ -185,6 +186,7 @@ void SceneCutter::cutBatch(Batch& batch, const Cutting& cutting, CutOrigins& ori
                                      ? *from.simplifiedCasters
                                      : cutIndices(*from.simplifiedCasters, planes, made);
     batch.geometry = CopyOnWrite<Geometry>(known.made.share(std::move(made)));
+    if (!origins.ofTriangle.empty()) batch.origins = known.origins.share(std::move(origins));
     if (side == BoxSide::away) known.away = batch.geometry;
 }
 

@@ -29,10 +29,6 @@ class SceneCutter {
 
     const Scene& whole() const { return *whole_; }
 
-    /// Origins of the triangles that the last cut() gave each batch; empty for those whose geometry
-    /// is of the whole scene, or the same as after an earlier cut.
-    const std::vector<CutOrigins>& origins() const { return origins_; }
-
   private:
     struct Cutting;
 
@@ -41,15 +37,15 @@ class SceneCutter {
         std::vector<std::uint8_t> solid;           ///< by triangle; empty until a plane meets one
         std::optional<CopyOnWrite<Geometry>> away; ///< all of it cut away, and casting as a whole
         SharedPool<Geometry> made;                 ///< cuts of it
+        SharedPool<CutOrigins> origins;            ///< of these cuts
     };
 
     Known& knownOf(const Geometry& geometry);
     void addMaterials(const Section& section, std::vector<Material>& materials) const;
-    void cutBatch(Batch& batch, const Cutting& cutting, CutOrigins& origins);
+    void cutBatch(Batch& batch, const Cutting& cutting);
 
     std::shared_ptr<const Scene> whole_;
     bool castMasked_;
-    std::vector<CutOrigins> origins_;        ///< by batch
     CopyOnWrite<Geometry> nothing_;          ///< of batches that are cut away and cast nothing
     std::map<const Geometry*, Known> known_; ///< of the whole scene
 };

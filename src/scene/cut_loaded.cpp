@@ -40,9 +40,9 @@ std::shared_ptr<const PlanePairShadow> recordsOf(UncutScene& uncut, const Loaded
     const CasterSettings& settings = loaded.settings;
     const std::vector<Material>& materials = loaded.scene.materials;
     const Batch &batch = loaded.scene.batches[i], &whole = uncut.cutter.whole().batches[i];
-    if (const CutOrigins& origins = uncut.cutter.origins()[i]; !origins.ofTriangle.empty())
+    if (batch.origins)
         if (FollowedGeometry* const followed = followedOf(uncut, whole, settings))
-            return followed->made.share(cutRecords(followed->uncut, *batch.geometry, origins,
+            return followed->made.share(cutRecords(followed->uncut, *batch.geometry, *batch.origins,
                                                    materials, settings.castMasked, uncut.memory,
                                                    followed->made.take()));
     const Casters casters = castersOf(batch, materials, settings.castMasked);
@@ -84,7 +84,7 @@ void cutScene(LoadedScene& loaded, const Section& section) {
         return found != known.end() ? found->second : recordsOf(uncut, loaded, i);
     });
     for (std::size_t i = 0; i < loaded.planePairs.size(); ++i)
-        if (uncut.cutter.origins()[i].ofTriangle.empty())
+        if (!loaded.scene.batches[i].origins)
             if (const auto found = uncut.followed.find(&*uncut.cutter.whole().batches[i].geometry);
                 found != uncut.followed.end() && found->second)
                 found->second->made.clear();

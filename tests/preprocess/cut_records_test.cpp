@@ -117,10 +117,10 @@ class Comparison {
         const UncutRecords uncut = uncutRecords(whole.batches[0], whole.materials, false);
         if (!uncut.canFollowCuts()) return;
         const Scene cut = cutter.cut(section);
-        const CutOrigins& origins = cutter.origins()[0];
-        if (origins.ofTriangle.empty()) return;
-        ++followed;
         const Batch& batch = cut.batches[0];
+        if (!batch.origins) return;
+        const CutOrigins& origins = *batch.origins;
+        ++followed;
         const PlanePairShadow made =
             cutRecords(uncut, *batch.geometry, origins, cut.materials, false, memory_);
         const CasterMesh mesh = weldForRecords(batch, castersOf(batch, cut.materials, false));

@@ -14,33 +14,10 @@
 namespace edgeshade {
 namespace {
 
+using test::findsTheSame;
+using test::numbersOf;
 using test::Random;
 using test::SceneBuilder;
-
-std::array<double, 12> numbersOf(const VisiblePart& part) {
-    return {part.depth.nearest,    part.depth.farthest,    part.box.low.x,     part.box.low.y,
-            part.box.low.z,        part.box.high.x,        part.box.high.y,    part.box.high.z,
-            part.slopes.right.low, part.slopes.right.high, part.slopes.up.low, part.slopes.up.high};
-}
-
-/// Whether the tree finds what the loop does, for the scene and for each of its batches.
-testing::AssertionResult findsTheSame(const Scene& scene, const SceneTree& tree,
-                                      const Frustum& frustum, bool ground = false) {
-    const auto found = numbersOf(visiblePart(scene, tree, frustum, ground));
-    const auto wanted = numbersOf(test::plainVisiblePart(scene, frustum, ground));
-    if (found != wanted)
-        return testing::AssertionFailure() << "found " << testing::PrintToString(found) << ", not "
-                                           << testing::PrintToString(wanted);
-    for (std::size_t i = 0; i < scene.batches.size(); ++i) {
-        VisiblePart alone;
-        test::addPlainly(scene, scene.batches[i], frustum, alone);
-        const double depth = nearestDepth(scene, tree, i, frustum);
-        if (depth != alone.depth.nearest)
-            return testing::AssertionFailure()
-                   << "batch " << i << " at depth " << depth << ", not " << alone.depth.nearest;
-    }
-    return testing::AssertionSuccess();
-}
 
 testing::AssertionResult findsTheSame(const Scene& scene, const Frustum& frustum) {
     return findsTheSame(scene, SceneTree(scene), frustum);

@@ -78,14 +78,19 @@ void addPlainly(const Scene& scene, const Batch& batch, const Frustum& given, Vi
     const double slopeError =
         orthographic ? error : 2.0 * error * (1.0 + std::max(widest.x, widest.y));
 
-    std::vector<bool> culled(geometry.indices.size(), false);
-    if (scene.culls)
-        for (const SurfaceGroup& group : geometry.groups)
-            for (std::uint32_t i = 0; i < group.indexCount; ++i)
-                culled[group.firstIndex + i] = !scene.materials[group.material].doubleSided;
+    std::vector<bool> culled(geometry.indices.size(), false), invisible = culled;
+    for (const SurfaceGroup& group : geometry.groups) {
+        if (group.material >= scene.materials.size()) continue;
+        const Material& material = scene.materials[group.material];
+        for (std::uint32_t i = 0; i < group.indexCount; ++i) {
+            culled[group.firstIndex + i] = scene.culls && !material.doubleSided;
+            invisible[group.firstIndex + i] = !material.isSeen();
+        }
+    }
     const bool mirrored = glm::determinant(glm::dmat3(viewFromBatch)) < 0.0;
 
     for (std::size_t i = 0; i + 2 < geometry.indices.size(); i += 3) {
+        if (invisible[i]) continue; // a section cuts it away
         Polygon polygon;
         for (std::size_t c = 0; c < 3; ++c)
             polygon.emplace_back(viewFromBatch *
@@ -109,6 +114,30 @@ VisiblePart plainVisiblePart(const Scene& scene, const Frustum& frustum, bool gr
     for (const Batch& batch : scene.batches)
         if (!batch.ground || ground) addPlainly(scene, batch, frustum, part);
     return part;
+}
+
+std::array<double, 12> numbersOf(const VisiblePart& part) {
+    return {part.depth.nearest,    part.depth.farthest,    part.box.low.x,     part.box.low.y,
+            part.box.low.z,        part.box.high.x,        part.box.high.y,    part.box.high.z,
+            part.slopes.right.low, part.slopes.right.high, part.slopes.up.low, part.slopes.up.high};
+}
+
+testing::AssertionResult findsTheSame(const Scene& scene, const SceneTree& tree,
+                                      const Frustum& frustum, bool ground) {
+    const auto found = numbersOf(visiblePart(scene, tree, frustum, ground));
+    const auto wanted = numbersOf(plainVisiblePart(scene, frustum, ground));
+    if (found != wanted)
+        return testing::AssertionFailure() << "found " << testing::PrintToString(found) << ", not "
+                                           << testing::PrintToString(wanted);
+    for (std::size_t i = 0; i < scene.batches.size(); ++i) {
+        VisiblePart alone;
+        addPlainly(scene, scene.batches[i], frustum, alone);
+        const double depth = nearestDepth(scene, tree, i, frustum);
+        if (depth != alone.depth.nearest)
+            return testing::AssertionFailure()
+                   << "batch " << i << " at depth " << depth << ", not " << alone.depth.nearest;
+    }
+    return testing::AssertionSuccess();
 }
 
 } // namespace edgeshade::test

@@ -55,6 +55,16 @@ class BoxTree {
         put(groups_[item / arity], item % arity, low, high);
     }
 
+    /// Sets an item's box to that of an item of another tree.
+    void copy(std::size_t item, const BoxTree& from, std::size_t of) {
+        const FourBoxes<Number>& boxes = from.groups_[of / arity];
+        FourBoxes<Number>& group = groups_[item / arity];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            group.low[axis][item % arity] = boxes.low[axis][of % arity];
+            group.high[axis][item % arity] = boxes.high[axis][of % arity];
+        }
+    }
+
     /// Fits the boxes of the other levels to those of the items.
     void fit() {
         for (std::size_t level = 1; level < levels_.size(); ++level)

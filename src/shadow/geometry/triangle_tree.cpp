@@ -19,36 +19,59 @@ glm::dvec3 middleOf(const Geometry& geometry, std::size_t triangle) {
     return 0.5 * (low + high);
 }
 
-/// Removes the triangles that a section cuts away.
-void keepSeen(const Geometry& geometry, const std::vector<Material>& materials,
-              std::vector<Keyed<2>>& triangles) {
-    std::vector<std::uint8_t> away(geometry.indices.size() / 3, 0);
-    for (const SurfaceGroup& group : geometry.groups)
-        if (group.material < materials.size() && !materials[group.material].isSeen())
-            std::fill_n(away.begin() + group.firstIndex / 3, group.indexCount / 3, 1);
-    triangles.erase(std::remove_if(triangles.begin(), triangles.end(),
-                                   [&](const Keyed<2>& item) { return away[item.number] != 0; }),
-                    triangles.end());
+/// Whether a section leaves the triangles of a group visible.
+bool isSeen(const SurfaceGroup& group, const std::vector<Material>& materials) {
+    return group.material >= materials.size() || materials[group.material].isSeen();
 }
 
-/// The visible triangles along the Morton curve.
-std::vector<std::uint32_t> alongCurve(const Geometry& geometry,
-                                      const std::vector<Material>& materials, Threads threads) {
-    const std::size_t count = geometry.indices.size() / 3;
-    const Box all = boundsOf(geometry);
-    std::vector<Keyed<2>> order(count);
-    forEachItem(count, itemsOfThread, threads, [&](std::size_t t) {
-        order[t] = {mortonKey(mortonCode(middleOf(geometry, t), all)),
-                    static_cast<std::uint32_t>(t)};
+/// Numbers of the visible triangles, ascending.
+std::vector<std::uint32_t> seenOf(const Geometry& geometry,
+                                  const std::vector<Material>& materials) {
+    std::vector<std::uint8_t> seen(geometry.indices.size() / 3, 1);
+    for (const SurfaceGroup& group : geometry.groups)
+        if (!isSeen(group, materials))
+            std::fill_n(seen.begin() + group.firstIndex / 3, group.indexCount / 3, 0);
+    std::vector<std::uint32_t> triangles;
+    triangles.reserve(seen.size());
+    for (std::uint32_t t = 0; t < seen.size(); ++t)
+        if (seen[t] != 0) triangles.push_back(t);
+    return triangles;
+}
+
+/// Sorts triangles, which ascend, along the Morton curve in a box.
+void sortAlongCurve(const Geometry& geometry, const Box& all, Threads threads,
+                    std::vector<std::uint32_t>& triangles) {
+    std::vector<Keyed<2>> order(triangles.size());
+    forEachItem(triangles.size(), itemsOfThread, threads, [&](std::size_t i) {
+        order[i] = {mortonKey(mortonCode(middleOf(geometry, triangles[i]), all)), triangles[i]};
     });
-    if (std::any_of(materials.begin(), materials.end(),
-                    [](const Material& material) { return !material.isSeen(); }))
-        keepSeen(geometry, materials, order);
     radixSort(order, threads);
-    std::vector<std::uint32_t> triangles(order.size());
     std::transform(order.begin(), order.end(), triangles.begin(),
                    [](const Keyed<2>& item) { return item.number; });
-    return triangles;
+}
+
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+/// A cut's visible triangles.
+struct CutTriangles {
+    std::vector<std::uint32_t> keptAs; ///< by triangle before: its number in the cut, or `none`
+    std::vector<std::uint32_t> made;   ///< pieces and fills, ascending
+};
+
+CutTriangles trianglesOfCut(const Geometry& cut, const CutOrigins& origins,
+                            const std::vector<Material>& materials) {
+    CutTriangles of;
+    of.keptAs.assign(origins.from->indices.size() / 3, none);
+    for (const SurfaceGroup& group : cut.groups) {
+        if (!isSeen(group, materials)) continue;
+        const std::uint32_t first = group.firstIndex / 3, end = first + group.indexCount / 3;
+        for (std::uint32_t t = first; t < end; ++t)
+            if (const std::uint32_t origin = origins.ofTriangle[t]; origin < CutOrigins::piece)
+                of.keptAs[origin] = t;
+            else
+                of.made.push_back(t);
+    }
+    return of;
 }
 
 /// For each triangle, whether it is visible only from its front. Scenes that cull nothing may do
@@ -67,21 +90,84 @@ std::vector<std::uint8_t> singleSidedOf(const Geometry& geometry,
 
 TriangleTree::TriangleTree(const Geometry& geometry, const std::vector<Material>& materials,
                            Cones cones, Threads threads)
-    : triangles_(alongCurve(geometry, materials, threads)),
-      boxes_((triangles_.size() + leafSize - 1) / leafSize),
-      cones_(cones == Cones::found ? boxes_.groups() : 0) {
+    : triangles_(seenOf(geometry, materials)) {
+    sortAlongCurve(geometry, boundsOf(geometry), threads, triangles_);
+    addLeaves(0);
+    boxes_ = BoxTree<float>(firsts_.size() - 1);
+    if (cones == Cones::found) cones_.resize(boxes_.groups());
     refit(geometry, materials);
 }
 
+TriangleTree::TriangleTree(const TriangleTree& whole, const Geometry& cut,
+                           const CutOrigins& origins, const std::vector<Material>& materials)
+    : farthest_(whole.farthest_) {
+    CutTriangles of = trianglesOfCut(cut, origins, materials);
+    const std::vector<std::uint32_t> wholeLeaves = takeLeaves(whole, of.keptAs);
+    const std::size_t taken = triangles_.size();
+    sortAlongCurve(cut, whole.bounds_, Threads{1}, of.made);
+    triangles_.insert(triangles_.end(), of.made.begin(), of.made.end());
+    addLeaves(taken);
+    boxes_ = BoxTree<float>(firsts_.size() - 1);
+    for (std::size_t leaf = 0; leaf < boxes_.items(); ++leaf)
+        if (leaf < wholeLeaves.size() && wholeLeaves[leaf] != none)
+            boxes_.copy(leaf, whole.boxes_, wholeLeaves[leaf]);
+        else
+            fitLeaf(leaf, cut);
+    fitAround(cut, origins.from->positions.size());
+}
+
+/// Divides the triangles from number `first` on into leaves, and ends the last.
+void TriangleTree::addLeaves(std::size_t first) {
+    for (; first < triangles_.size(); first += leafSize)
+        firsts_.push_back(static_cast<std::uint32_t>(first));
+    firsts_.push_back(static_cast<std::uint32_t>(triangles_.size()));
+}
+
+/// Takes the triangles that a cut keeps, leaf by leaf. For each leaf, returns the one of `whole`
+/// that has the same triangles, or `none`. `keptAs`: of CutTriangles.
+std::vector<std::uint32_t> TriangleTree::takeLeaves(const TriangleTree& whole,
+                                                    const std::vector<std::uint32_t>& keptAs) {
+    std::vector<std::uint32_t> same;
+    same.reserve(whole.boxes_.items());
+    firsts_.reserve(whole.boxes_.items() + 1);
+    triangles_.resize(whole.triangles_.size());
+    std::uint32_t end = 0;
+    for (std::uint32_t leaf = 0; leaf < whole.boxes_.items(); ++leaf) {
+        const std::uint32_t first = end;
+        const std::span<const std::uint32_t> before = whole.trianglesOf(leaf);
+        for (const std::uint32_t triangle : before) {
+            triangles_[end] = keptAs[triangle]; // overwritten if it isn't kept
+            end += keptAs[triangle] != none;
+        }
+        if (end == first) continue;
+        firsts_.push_back(first);
+        same.push_back(end - first == before.size() ? leaf : none);
+    }
+    triangles_.resize(end);
+    return same;
+}
+
 void TriangleTree::refit(const Geometry& geometry, const std::vector<Material>& materials) {
-    bounds_ = {};
     for (std::size_t leaf = 0; leaf < boxes_.items(); ++leaf)
         fitLeaf(leaf, geometry);
-    boxes_.fit();
-    if (hasCones()) fitCones(geometry, materials);
     farthest_ = glm::dvec3(0.0);
-    for (const glm::vec3& position : geometry.positions)
-        farthest_ = glm::max(farthest_, glm::dvec3(glm::abs(position)));
+    fitAround(geometry, 0);
+    if (hasCones()) fitCones(geometry, materials);
+}
+
+/// Fits what is around the leaves. `firstPosition`: the first that farthest_ is still to follow.
+void TriangleTree::fitAround(const Geometry& geometry, std::size_t firstPosition) {
+    boxes_.fit();
+    bounds_ = {};
+    if (boxes_.levels() > 0) {
+        const auto& [low, high] = boxes_.group(boxes_.levels() - 1, 0);
+        for (std::size_t i = 0; i < boxes_.count(boxes_.levels() - 1); ++i) {
+            bounds_.add({low[0][i], low[1][i], low[2][i]});
+            bounds_.add({high[0][i], high[1][i], high[2][i]});
+        }
+    }
+    for (std::size_t i = firstPosition; i < geometry.positions.size(); ++i)
+        farthest_ = glm::max(farthest_, glm::dvec3(glm::abs(geometry.positions[i])));
 }
 
 void TriangleTree::fitLeaf(std::size_t leaf, const Geometry& geometry) {
@@ -93,8 +179,6 @@ void TriangleTree::fitLeaf(std::size_t leaf, const Geometry& geometry) {
             high = glm::max(high, corner);
         }
     boxes_.set(leaf, low, high);
-    bounds_.add(glm::dvec3(low));
-    bounds_.add(glm::dvec3(high));
 }
 
 void TriangleTree::fitCones(const Geometry& geometry, const std::vector<Material>& materials) {

@@ -12,6 +12,7 @@ CutCasters cutCasters(const Scene& scene, bool castMasked, const glm::dvec4& pla
     for (const Batch& batch : scene.batches) {
         const Casters casters = castersOf(batch, scene.materials, castMasked);
         Batch& to = cut.scene.batches.emplace_back(batch);
+        to.origins = nullptr;
         Geometry& geometry = to.geometry.edit();
         geometry.normals.clear(); // used only for drawing surfaces
         geometry.indices.clear();

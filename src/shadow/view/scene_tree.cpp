@@ -3,7 +3,6 @@
 #include "preprocess/base/morton.hpp"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 namespace edgeshade {
@@ -32,6 +31,29 @@ bool SceneTree::isOf(const Batch& batch, const OfBatch& of) const {
     return of.geometry && &**of.geometry == &*batch.geometry;
 }
 
+/// The tree of a rigid batch's geometry. Keeps the tree of the geometry before a cut with the
+/// batch. `trees`: those of known geometries, to which it adds.
+CopyOnWrite<TriangleTree> SceneTree::treeOf(const Scene& scene, const Batch& batch, Trees& trees,
+                                            OfBatch& of) const {
+    const auto known = [&](const Geometry& geometry) {
+        const auto [found, isNew] = trees.try_emplace(&geometry);
+        if (isNew) found->second = CopyOnWrite(treeFor(geometry, scene.materials));
+        return found->second;
+    };
+    if (!batch.origins || trees.contains(&*batch.geometry)) return known(*batch.geometry);
+    const CutOrigins& origins = *batch.origins;
+    if (!of.whole || &*of.whole->geometry != &*origins.from)
+        of.whole = Whole{origins.from, known(*origins.from)};
+    CopyOnWrite cut(TriangleTree(*of.whole->triangles, *batch.geometry, origins, scene.materials));
+    trees.emplace(&*batch.geometry, cut);
+    return cut;
+}
+
+TriangleTree SceneTree::treeFor(const Geometry& geometry,
+                                const std::vector<Material>& materials) const {
+    return {geometry, materials, ofCut_ ? Cones::none : Cones::found};
+}
+
 void SceneTree::update(const Scene& scene) {
     std::vector<std::uint8_t> doubleSided;
     for (const Material& material : scene.materials)
@@ -45,9 +67,11 @@ void SceneTree::update(const Scene& scene) {
     const bool ofCut = scene.cutFrom.has_value();
     if (ofCut_ && !ofCut) batches_.clear(); // their trees may have no cones
     ofCut_ = ofCut;
-    std::map<const Geometry*, CopyOnWrite<TriangleTree>> trees;
-    for (const OfBatch& of : batches_)
+    Trees trees;
+    for (const OfBatch& of : batches_) {
         if (of.geometry) trees.emplace(&**of.geometry, of.triangles);
+        if (of.whole) trees.emplace(&*of.whole->geometry, of.whole->triangles);
+    }
     bool same = batches_.size() == scene.batches.size();
     std::vector<OfBatch> before = std::exchange(batches_, {});
     before.resize(scene.batches.size());
@@ -64,17 +88,15 @@ void SceneTree::update(const Scene& scene) {
             continue;
         }
         same = false;
-        of = {};
-        const auto found = batch.deforms() ? trees.end() : trees.find(&*batch.geometry);
-        of.triangles = found != trees.end()
-                           ? found->second
-                           : CopyOnWrite(TriangleTree(*batch.geometry, scene.materials,
-                                                      ofCut ? Cones::none : Cones::found));
+        of = {{}, {}, std::move(of.whole), {}, {}};
         of.deformation = batch.deformation;
         of.shape = batch.shape;
-        if (batch.deforms()) continue;
-        of.geometry = batch.geometry;
-        trees.emplace(&*batch.geometry, of.triangles);
+        if (batch.deforms()) {
+            of.triangles = CopyOnWrite(treeFor(*batch.geometry, scene.materials));
+        } else {
+            of.triangles = treeOf(scene, batch, trees, of);
+            of.geometry = batch.geometry;
+        }
     }
     if (!same) orderPlaces(scene);
     placeAll(scene);

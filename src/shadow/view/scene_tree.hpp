@@ -2,6 +2,7 @@
 
 #include "src/shadow/geometry/triangle_tree.hpp"
 
+#include <map>
 #include <optional>
 
 namespace edgeshade {
@@ -17,7 +18,7 @@ class SceneTree {
 
     /// Follows a scene whose batches have moved, deformed, come or gone. Makes trees only for
     /// geometries that it doesn't know; of batches that have deformed, and places that have moved,
-    /// it fits the boxes.
+    /// it fits the boxes. The trees of geometries that a section cuts follow from those before it.
     void update(const Scene& scene);
 
     /// The boxes of places in the world; the item with number i is the batch places()[i].
@@ -35,16 +36,27 @@ class SceneTree {
     const Box& extent() const { return extent_; }
 
   private:
+    /// A geometry that a section cuts, and its tree.
+    struct Whole {
+        CopyOnWrite<Geometry> geometry;
+        CopyOnWrite<TriangleTree> triangles;
+    };
+    using Trees = std::map<const Geometry*, CopyOnWrite<TriangleTree>>;
+
     struct OfBatch {
         CopyOnWrite<TriangleTree> triangles;
         /// The geometry of a rigid batch, kept as it is: whoever edits it gets a copy.
         std::optional<CopyOnWrite<Geometry>> geometry;
+        std::optional<Whole> whole; ///< since a section cut the batch; kept while the scene is cut
         // If the batch deforms:
         std::shared_ptr<const Deformation> deformation;
         BatchShape shape;
     };
 
     bool isOf(const Batch& batch, const OfBatch& of) const;
+    CopyOnWrite<TriangleTree> treeOf(const Scene& scene, const Batch& batch, Trees& trees,
+                                     OfBatch& of) const;
+    TriangleTree treeFor(const Geometry& geometry, const std::vector<Material>& materials) const;
     void placeAll(const Scene& scene);
     void orderPlaces(const Scene& scene);
 
