@@ -29,7 +29,7 @@ struct Surroundings {
     std::vector<ResultObject> objects;
 };
 
-Surroundings surroundingsOf(const Plan& plan, const Job& job, double slope,
+Surroundings surroundingsOf(const Plan& plan, const Job& job, const SunFan& fan,
                             const std::function<void(double, const std::string&)>& progress) {
     Surroundings all;
     const TargetBox target(job.cells, plan.grid, job.lowest);
@@ -43,7 +43,7 @@ Surroundings surroundingsOf(const Plan& plan, const Job& job, double slope,
         for (const CityObject& object : tile.objects)
             all.objects.push_back({job.sources[i], object.id, object.isBuilding});
         for (CityTriangle triangle : tile.triangles) {
-            if (!mayShade(triangle.box(), target, slope)) continue;
+            if (!fan.mayShade(triangle.box(), target)) continue;
             triangle.object += first;
             all.triangles.push_back(triangle);
         }
@@ -142,7 +142,7 @@ JobResult runJob(const ReadPlan& read, std::size_t number,
     std::vector<glm::dvec3> directions;
     for (const hours::Position& position : positions)
         directions.push_back(inFrame(position.direction));
-    const Surroundings all = surroundingsOf(plan, job, leastSlopeOf(positions), progress);
+    const Surroundings all = surroundingsOf(plan, job, SunFan(positions), progress);
     const std::vector<std::uint32_t> tops = topSurfaces(all.triangles, job.cells, plan.grid);
     JobResult result = unlitResult(read, number, all, tops, positions.size());
     const std::vector<std::uint32_t> cells = cellsWithSurface(job.cells, tops);

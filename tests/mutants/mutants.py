@@ -708,7 +708,7 @@ MUTANTS = (
      "surfaces_test", "Windows.*"),
     ("a city's halo is one tile short",
      "src/city/halo.cpp",
-     "target.distanceTo(caster) * slope", "(target.distanceTo(caster) + 64.0) * slope",
+     "enters * blade.slope <= rise", "(enters + 64.0) * blade.slope <= rise",
      "city_test", "*CityTiles.*"),
     ("a tile whose size stayed is taken as unchanged",
      "src/city/planned_bytes.cpp",
