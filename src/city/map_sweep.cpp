@@ -14,8 +14,7 @@ namespace {
 
 /// Whether a source may have a cell of a job.
 bool isOver(const PlannedSource& source, const Job& job, double grid) {
-    return !source.box.empty() &&
-           TargetBox(job.cells, grid, job.lowest).isUnder(source.box);
+    return !source.box.empty() && TargetBox(job.cells, grid, job.lowest).isUnder(source.box);
 }
 
 void requireOwn(const JobResult& result, const ReadPlan& read, std::size_t number,

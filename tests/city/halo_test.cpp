@@ -121,7 +121,7 @@ TEST(PartTree, FindsWhatALoopFinds) {
         for (const Part& part : parts)
             if (accept(part.box)) expected.insert(part.box.low.x);
         EXPECT_EQ(found, expected);
-        // What shades is in a part that does.
+        // A part with a triangle that may shade may shade, too.
         for (const CityTriangle& triangle : triangles)
             if (accept(triangle.box())) {
                 EXPECT_TRUE(std::ranges::any_of(parts, [&](const Part& part) {
