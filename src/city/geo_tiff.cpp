@@ -5,6 +5,8 @@
 #ifdef EDGESHADE_HAS_GEOTIFF
 #include "src/city/coordinate_system.hpp"
 #include "src/city/tiff_memory.hpp"
+
+#include <algorithm>
 #endif
 
 namespace edgeshade::city {
@@ -14,7 +16,6 @@ namespace edgeshade::city {
 namespace {
 
 constexpr std::int64_t tileSide = 256;
-constexpr float noData = -1.0f;
 
 void declareNoData(TIFF* tiff) {
     static const TIFFFieldInfo field[] = {{noDataTag, TIFF_VARIABLE, TIFF_VARIABLE, TIFF_ASCII,
@@ -57,47 +58,82 @@ void setKeys(TIFF* tiff, const std::optional<int>& epsg) {
 
 } // namespace
 
-Bytes geoTiffOf(const CityMap& map, const Plan& plan) {
-    TiffMemory memory;
-    TiffHandle tiff = openTiff(memory, "w");
-    bool isWritten = tiff != nullptr;
-    if (isWritten) {
-        setTags(tiff.get(), map.region, plan.grid);
-        setKeys(tiff.get(), plan.epsg);
-        const std::int64_t columns = map.region.columns(), rows = map.region.rows();
-        std::vector<float> tile(tileSide * tileSide);
-        for (std::int64_t top = 0; top < rows; top += tileSide)
-            for (std::int64_t left = 0; left < columns; left += tileSide) {
-                for (std::int64_t y = 0; y < tileSide; ++y)
-                    for (std::int64_t x = 0; x < tileSide; ++x) {
-                        const bool isIn = top + y < rows && left + x < columns;
-                        const std::int32_t lit =
-                            isIn ? map.lit[static_cast<std::size_t>((top + y) * columns + left + x)]
-                                 : CityMap::nothing;
-                        tile[static_cast<std::size_t>(y * tileSide + x)] =
-                            lit == CityMap::nothing ? noData : static_cast<float>(map.hoursOf(lit));
-                    }
-                isWritten = isWritten &&
-                            TIFFWriteTile(tiff.get(), tile.data(), static_cast<std::uint32_t>(left),
-                                          static_cast<std::uint32_t>(top), 0, 0) > 0;
-            }
-        isWritten = TIFFFlush(tiff.get()) != 0 && isWritten;
-        tiff.reset();
+class GeoTiffWriter::Writing {
+  public:
+    Writing(const std::filesystem::path& path, const Plan& plan)
+        : region_(plan.region), tiff_(createTiff(path)) {
+        if (!tiff_) throw Error(ExitStatus::output, "'" + path.string() + "' can't be written.");
+        setTags(tiff_.get(), region_, plan.grid);
+        setKeys(tiff_.get(), plan.epsg);
     }
-    if (!isWritten)
-        throw Error(ExitStatus::output, "The GeoTIFF of " + std::to_string(map.region.columns()) +
-                                            " by " + std::to_string(map.region.rows()) +
-                                            " cells can't be made: it exceeds TIFF's 4 GiB.");
-    return std::move(memory.bytes);
+
+    void add(std::span<const float> hours) {
+        rows_.insert(rows_.end(), hours.begin(), hours.end());
+        ++next_;
+        if (next_ % tileSide == 0) writeTiles();
+    }
+
+    void finish() {
+        if (!rows_.empty()) writeTiles();
+        require(TIFFFlush(tiff_.get()) != 0);
+    }
+
+  private:
+    /// Writes the rows that are held as tiles, filled up beyond the map.
+    void writeTiles() {
+        const auto columns = static_cast<std::size_t>(region_.columns()),
+                   side = static_cast<std::size_t>(tileSide);
+        const std::size_t rows = rows_.size() / columns;
+        const auto top = static_cast<std::uint32_t>(next_ - static_cast<std::int64_t>(rows));
+        std::vector<float> tile;
+        for (std::size_t left = 0; left < columns; left += side) {
+            tile.assign(side * side, noHours);
+            const std::size_t width = std::min(side, columns - left);
+            for (std::size_t y = 0; y < rows; ++y)
+                std::copy_n(rows_.data() + y * columns + left, width, tile.data() + y * side);
+            require(TIFFWriteTile(tiff_.get(), tile.data(), static_cast<std::uint32_t>(left), top,
+                                  0, 0) > 0);
+        }
+        rows_.clear();
+    }
+
+    void require(bool isWritten) const {
+        if (!isWritten)
+            throw Error(ExitStatus::output,
+                        "The GeoTIFF of " + std::to_string(region_.columns()) + " by " +
+                            std::to_string(region_.rows()) +
+                            " cells can't be written: the disk is full, or it exceeds TIFF's "
+                            "4 GiB.");
+    }
+
+    CellRange region_;
+    TiffHandle tiff_;
+    std::vector<float> rows_; ///< those of the tiles that are being filled
+    std::int64_t next_ = 0;   ///< the row that comes next
+};
+
+GeoTiffWriter::GeoTiffWriter(const std::filesystem::path& path, const Plan& plan)
+    : writing_(std::make_unique<Writing>(path, plan)) {}
+void GeoTiffWriter::add(std::span<const float> hours) {
+    writing_->add(hours);
+}
+void GeoTiffWriter::finish() {
+    writing_->finish();
 }
 
 #else
 
-Bytes geoTiffOf(const CityMap&, const Plan&) {
+class GeoTiffWriter::Writing {};
+
+GeoTiffWriter::GeoTiffWriter(const std::filesystem::path&, const Plan&) {
     throw Error(ExitStatus::unavailable,
                 "city merge writes a GeoTIFF, but this program was built without libgeotiff.");
 }
+void GeoTiffWriter::add(std::span<const float>) {}
+void GeoTiffWriter::finish() {}
 
 #endif
+
+GeoTiffWriter::~GeoTiffWriter() = default;
 
 } // namespace edgeshade::city

@@ -1,14 +1,34 @@
 #pragma once
 
-#include "preprocess/base/file_io.hpp"
-#include "src/city/city_map.hpp"
+#include "src/city/plan.hpp"
+
+#include <memory>
+#include <span>
 
 namespace edgeshade::city {
 
-/// Hours of sun as a GeoTIFF: one band of floats in tiles of 256 by 256, deflated, north up, with
-/// the EPSG code of the plan's coordinates if there is one. Cells without a surface are -1, which
-/// is declared as no data. The same map gives the same bytes. Throws Error(unavailable) if the
-/// program was built without libgeotiff.
-Bytes geoTiffOf(const CityMap& map, const Plan& plan);
+/// Writes hours of sun as a GeoTIFF, row by row: bands of floats in tiles of 256 by 256, deflated,
+/// north up, with the EPSG code of the plan's coordinates if there is one. Cells without a surface
+/// are -1, which is declared as no data. The same map gives the same bytes. Holds 256 rows.
+class GeoTiffWriter {
+  public:
+    /// Throws Error(output) naming the path; Error(unavailable) if the program was built without
+    /// libgeotiff.
+    GeoTiffWriter(const std::filesystem::path& path, const Plan& plan);
+    ~GeoTiffWriter();
+
+    /// Adds the next row from the north: hours of each cell of the plan's region, from the west.
+    /// Throws Error(output): the disk is full, or the file exceeds TIFF's 4 GiB.
+    void add(std::span<const float> hours);
+    /// Completes the file after the last row. Throws Error(output), too.
+    void finish();
+
+  private:
+    class Writing;
+    std::unique_ptr<Writing> writing_;
+};
+
+/// Hours of a cell that has no surface.
+inline constexpr float noHours = -1.0f;
 
 } // namespace edgeshade::city

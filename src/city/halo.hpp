@@ -5,6 +5,7 @@
 #include "src/hours/positions.hpp"
 
 #include <span>
+#include <vector>
 
 namespace edgeshade::city {
 
@@ -18,16 +19,32 @@ struct TargetBox {
           east(middleOf(cells.right - 1, width)), north(middleOf(cells.top - 1, width)),
           lowest(lowestHeight) {}
 
-    /// Horizontal distance of a box; 0 where some point of it may be over a middle.
-    double distanceTo(const Box& box) const;
+    /// Whether some point of a box may be over or below a middle.
+    bool isUnder(const Box& box) const {
+        return box.low.x <= east && box.high.x >= west && box.low.y <= north && box.high.y >= south;
+    }
 };
 
-/// The least rise of the sun's rays per metre over the ground, a hair too small; 1 without any
-/// position.
-double leastSlopeOf(std::span<const hours::Position> positions);
+/// The directions of a plan's sun positions, bundled by azimuth, so that a year's take no more than
+/// 180 tests.
+class SunFan {
+  public:
+    explicit SunFan(std::span<const hours::Position> positions);
 
-/// Whether a caster in this box may shade a point of the target (docs/method.md, C64). `slope`: of
-/// leastSlopeOf().
-bool mayShade(const Box& caster, const TargetBox& target, double slope);
+    /// Whether a caster in this box may shade a point of the target, or is over or below one
+    /// (docs/method.md, C64).
+    bool mayShade(const Box& caster, const TargetBox& target) const;
+
+  private:
+    /// Directions between two azimuths.
+    struct Blade {
+        glm::dvec2 middle{0.0}; ///< over the ground, of length 1
+        double halfAngle = 0.0; ///< radians on each side of the middle
+        double slope = 0.0;     ///< least rise per metre over the ground
+    };
+
+    std::vector<Blade> blades_;
+    double leastSlope_ = 1.0;
+};
 
 } // namespace edgeshade::city

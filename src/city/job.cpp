@@ -1,8 +1,8 @@
 #include "src/city/job.hpp"
 
 #include "preprocess/base/error.hpp"
-#include "preprocess/base/sha256.hpp"
 #include "src/city/halo.hpp"
+#include "src/city/planned_bytes.hpp"
 #include "src/city/top_surface.hpp"
 
 #ifdef EDGESHADE_HAS_RAYS
@@ -29,14 +29,7 @@ struct Surroundings {
     std::vector<ResultObject> objects;
 };
 
-void requirePlanned(const PlannedSource& planned, const Bytes& bytes,
-                    const std::filesystem::path& folder) {
-    if (bytes.size() != planned.bytes || sha256(bytes) != planned.sha256)
-        throw InputError("'" + (folder / planned.source.file).string() +
-                         "' has changed since the plan was made; run city plan again.");
-}
-
-Surroundings surroundingsOf(const Plan& plan, const Job& job, double slope,
+Surroundings surroundingsOf(const Plan& plan, const Job& job, const SunFan& fan,
                             const std::function<void(double, const std::string&)>& progress) {
     Surroundings all;
     const TargetBox target(job.cells, plan.grid, job.lowest);
@@ -44,14 +37,13 @@ Surroundings surroundingsOf(const Plan& plan, const Job& job, double slope,
         const PlannedSource& planned = plan.sources[job.sources[i]];
         progress(readEnd * static_cast<double>(i) / static_cast<double>(job.sources.size()),
                  "reading " + planned.source.file);
-        const Bytes bytes = bytesOf(plan.folder, planned.source, plan.reading);
-        requirePlanned(planned, bytes, plan.folder);
-        const CityTile tile = readSource(plan.folder, planned.source, bytes, plan.reading);
+        const CityTile tile =
+            readSource(plan.folder, planned.source, plannedBytes(plan, planned), plan.reading);
         const auto first = static_cast<std::uint32_t>(all.objects.size());
         for (const CityObject& object : tile.objects)
             all.objects.push_back({job.sources[i], object.id, object.isBuilding});
         for (CityTriangle triangle : tile.triangles) {
-            if (!mayShade(triangle.box(), target, slope)) continue;
+            if (!fan.mayShade(triangle.box(), target)) continue;
             triangle.object += first;
             all.triangles.push_back(triangle);
         }
@@ -150,7 +142,7 @@ JobResult runJob(const ReadPlan& read, std::size_t number,
     std::vector<glm::dvec3> directions;
     for (const hours::Position& position : positions)
         directions.push_back(inFrame(position.direction));
-    const Surroundings all = surroundingsOf(plan, job, leastSlopeOf(positions), progress);
+    const Surroundings all = surroundingsOf(plan, job, SunFan(positions), progress);
     const std::vector<std::uint32_t> tops = topSurfaces(all.triangles, job.cells, plan.grid);
     JobResult result = unlitResult(read, number, all, tops, positions.size());
     const std::vector<std::uint32_t> cells = cellsWithSurface(job.cells, tops);

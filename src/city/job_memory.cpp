@@ -30,15 +30,15 @@ std::uint64_t parsingOf(SourceKind kind) {
 
 } // namespace
 
-std::uint64_t memoryOf(const Job& job, const std::vector<PlannedSource>& sources) {
-    std::uint64_t triangles = 0, reading = 0;
+std::uint64_t memoryOf(const Job& job, const std::vector<PlannedSource>& sources,
+                       std::uint64_t casters) {
+    std::uint64_t reading = 0;
     for (const std::size_t number : job.sources) {
         const PlannedSource& source = sources[number];
-        triangles += source.triangles;
         reading = std::max(reading, source.bytes * parsingOf(source.source.kind) +
                                         source.triangles * bytesOfRead);
     }
-    return base + bytesOfCell * job.cells.count() + bytesOfCaster * triangles + reading;
+    return base + bytesOfCell * job.cells.count() + bytesOfCaster * casters + reading;
 }
 
 } // namespace edgeshade::city

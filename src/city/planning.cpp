@@ -6,10 +6,10 @@
 #include "src/city/coordinate_system.hpp"
 #include "src/city/halo.hpp"
 #include "src/city/job_memory.hpp"
+#include "src/city/part_tree.hpp"
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 namespace edgeshade::city {
 namespace {
@@ -35,13 +35,20 @@ class Survey {
         const CityTile tile = readSource(list_.folder, source, bytes, plan_.reading);
         warnings_.insert(warnings_.end(), tile.warnings.begin(), tile.warnings.end());
         PlannedSource planned{source, bytes.size(), sha256(bytes), tile.triangles.size(), {}};
-        for (const CityTriangle& triangle : tile.triangles)
-            planned.box.add(triangle.box());
+        for (Part& part : partsOf(tile.triangles, plan_.sources.size())) {
+            planned.box.add(part.box);
+            parts_.push_back(part);
+        }
         requireSameSystem(source, tile);
-        if (source.kind == SourceKind::raster) requireNoOverlap(planned);
         if (source.kind == SourceKind::cityJson || source.kind == SourceKind::cityJsonSequence)
             requireNewBuildings(source, tile);
         plan_.sources.push_back(std::move(planned));
+    }
+
+    /// The parts of all sources. Throws InputError: two rasters overlap.
+    std::vector<Part> takeParts() {
+        requireNoOverlaps();
+        return std::move(parts_);
     }
 
   private:
@@ -58,15 +65,30 @@ class Survey {
         if (!plan_.epsg) plan_.epsg = tile.epsg;
     }
 
-    void requireNoOverlap(const PlannedSource& raster) const {
-        for (const PlannedSource& other : plan_.sources) {
-            if (other.source.kind != SourceKind::raster || other.box.empty()) continue;
-            const glm::dvec3 shared =
-                glm::min(other.box.high, raster.box.high) - glm::max(other.box.low, raster.box.low);
-            if (shared.x > latticeUnit && shared.y > latticeUnit)
-                throw InputError(nameOf(raster.source) + " overlaps " + nameOf(other.source) +
-                                 " by " + std::to_string(shared.x) + " by " +
-                                 std::to_string(shared.y) + " metres.");
+    void requireNoOverlaps() const {
+        std::vector<Part> boxes;
+        for (std::size_t i = 0; i < plan_.sources.size(); ++i)
+            if (const PlannedSource& planned = plan_.sources[i];
+                planned.source.kind == SourceKind::raster && !planned.box.empty())
+                boxes.push_back({planned.box, 0, i});
+        const PartTree rasters(boxes);
+        for (const Part& raster : boxes) {
+            const auto sharedWith = [&](const Box& box) {
+                return glm::min(box.high, raster.box.high) - glm::max(box.low, raster.box.low);
+            };
+            rasters.forEach(
+                [&](const Box& box) {
+                    const glm::dvec3 shared = sharedWith(box);
+                    return shared.x > latticeUnit && shared.y > latticeUnit;
+                },
+                [&](const Part& other) {
+                    if (other.source >= raster.source) return;
+                    const glm::dvec3 shared = sharedWith(other.box);
+                    throw InputError(nameOf(plan_.sources[raster.source].source) + " overlaps " +
+                                     nameOf(plan_.sources[other.source].source) + " by " +
+                                     std::to_string(shared.x) + " by " + std::to_string(shared.y) +
+                                     " metres.");
+                });
         }
     }
 
@@ -84,6 +106,7 @@ class Survey {
     const SourceList& list_;
     Plan& plan_;
     std::vector<std::string>& warnings_;
+    std::vector<Part> parts_;
     std::map<std::string, std::size_t> buildings_; ///< the source of each
 };
 
@@ -95,8 +118,9 @@ std::int64_t floorOf(std::int64_t value, std::int64_t divisor) {
 /// Divides the ground into targets.
 class Division {
   public:
-    Division(Plan& plan, std::uint64_t memory)
-        : plan_(plan), memory_(memory), slope_(leastSlopeOf(hours::positionsOf(plan.schedule))) {}
+    Division(Plan& plan, std::vector<Part> parts, std::uint64_t memory)
+        : plan_(plan), parts_(std::move(parts)), memory_(memory),
+          fan_(hours::positionsOf(plan.schedule)) {}
 
     /// Makes jobs of squares of that side.
     void divide(std::int64_t side) {
@@ -118,10 +142,15 @@ class Division {
         if (!lowest) return;
         job.lowest = *lowest;
         const TargetBox target(job.cells, plan_.grid, job.lowest);
-        for (std::size_t i = 0; i < plan_.sources.size(); ++i)
-            if (!plan_.sources[i].box.empty() && mayShade(plan_.sources[i].box, target, slope_))
-                job.sources.push_back(i);
-        job.memory = memoryOf(job, plan_.sources);
+        std::uint64_t casters = 0;
+        parts_.forEach([&](const Box& box) { return fan_.mayShade(box, target); },
+                       [&](const Part& part) {
+                           job.sources.push_back(part.source);
+                           casters += part.triangles;
+                       });
+        std::ranges::sort(job.sources);
+        job.sources.erase(std::ranges::unique(job.sources).begin(), job.sources.end());
+        job.memory = memoryOf(job, plan_.sources, casters);
         if (job.memory <= memory_) {
             plan_.jobs.push_back(std::move(job));
             if (plan_.jobs.size() > mostJobs)
@@ -143,19 +172,21 @@ class Division {
         addSquare(left + half, bottom + half, half);
     }
 
-    /// A height that no surface over the target is below; null: no source is over it.
+    /// A height that no surface over the target is below; null: none is over it.
     std::optional<double> lowestOver(const CellRange& cells) const {
         std::optional<double> lowest;
         const TargetBox target(cells, plan_.grid, 0.0);
-        for (const PlannedSource& source : plan_.sources)
-            if (!source.box.empty() && target.distanceTo(source.box) == 0.0)
-                lowest = std::min(lowest.value_or(source.box.low.z), source.box.low.z);
+        parts_.forEach([&](const Box& box) { return target.isUnder(box); },
+                       [&](const Part& part) {
+                           lowest = std::min(lowest.value_or(part.box.low.z), part.box.low.z);
+                       });
         return lowest;
     }
 
     Plan& plan_;
+    PartTree parts_;
     std::uint64_t memory_;
-    double slope_;
+    SunFan fan_;
 };
 
 CellRange regionOf(const std::vector<PlannedSource>& sources, double grid) {
@@ -217,7 +248,7 @@ Plan planOf(const SourceList& list, const PlanChoice& choice,
     plan.region = regionOf(plan.sources, plan.grid);
     if (choice.placeFromSources) findPlace(list, plan);
     plan.schedule.offset = choice.offset.value_or(hours::offsetNear(plan.schedule.place.longitude));
-    Division division(plan, choice.memory);
+    Division division(plan, survey.takeParts(), choice.memory);
     std::int64_t side = largestSide;
     while (static_cast<double>(side) * plan.grid > widestTarget)
         side /= 2;

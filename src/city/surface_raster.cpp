@@ -36,7 +36,7 @@ struct Heights {
 class RasterReading {
   public:
     RasterReading(const Bytes& bytes, const std::filesystem::path& path)
-        : path_(path), memory_{bytes, 0}, tiff_(openTiff(memory_, "r")) {
+        : path_(path), memory_{bytes, 0}, tiff_(openTiff(memory_)) {
         if (!tiff_) fail("is not a TIFF, or is cut short");
     }
 

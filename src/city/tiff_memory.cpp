@@ -20,13 +20,8 @@ tmsize_t readSome(thandle_t handle, void* to, tmsize_t size) {
     return static_cast<tmsize_t>(count);
 }
 
-tmsize_t writeSome(thandle_t handle, void* from, tmsize_t size) {
-    TiffMemory& memory = memoryOf(handle);
-    const auto count = static_cast<std::size_t>(size);
-    if (memory.bytes.size() < memory.at + count) memory.bytes.resize(memory.at + count);
-    if (count > 0) std::memcpy(memory.bytes.data() + memory.at, from, count);
-    memory.at += count;
-    return size;
+tmsize_t writeNothing(thandle_t, void*, tmsize_t) {
+    return 0;
 }
 
 toff_t seekTo(thandle_t handle, toff_t offset, int whence) {
@@ -46,14 +41,23 @@ toff_t sizeOf(thandle_t handle) {
     return memoryOf(handle).bytes.size();
 }
 
-} // namespace
-
-TiffHandle openTiff(TiffMemory& memory, const char* mode) {
-    // Callers say what is wrong in one sentence of their own.
+/// Callers say what is wrong in one sentence of their own.
+void silence() {
     TIFFSetErrorHandler(nullptr);
     TIFFSetWarningHandler(nullptr);
-    return TiffHandle(XTIFFClientOpen("memory", mode, &memory, readSome, writeSome, seekTo, close,
+}
+
+} // namespace
+
+TiffHandle openTiff(TiffMemory& memory) {
+    silence();
+    return TiffHandle(XTIFFClientOpen("memory", "r", &memory, readSome, writeNothing, seekTo, close,
                                       sizeOf, nullptr, nullptr));
+}
+
+TiffHandle createTiff(const std::filesystem::path& path) {
+    silence();
+    return TiffHandle(XTIFFOpen(path.c_str(), "w"));
 }
 
 } // namespace edgeshade::city

@@ -1,6 +1,6 @@
 #pragma once
 
-// A TIFF in memory, read or written by libtiff. Only sources include this.
+// TIFFs that libtiff reads from memory, or writes into files. Only sources include this.
 
 #include "preprocess/base/file_io.hpp"
 
@@ -31,7 +31,9 @@ struct FreeKeys {
 };
 using GeoKeys = std::unique_ptr<GTIF, FreeKeys>;
 
-/// Opens `memory`, which must outlive the handle; null: it is no TIFF. `mode`: "r" or "w".
-TiffHandle openTiff(TiffMemory& memory, const char* mode);
+/// Opens `memory`, which must outlive the handle, for reading; null: it is no TIFF.
+TiffHandle openTiff(TiffMemory& memory);
+/// Makes a new file; null: it can't be written.
+TiffHandle createTiff(const std::filesystem::path& path);
 
 } // namespace edgeshade::city

@@ -1,8 +1,9 @@
 // Cities in jobs against cities in one, in several formats, and what is wrong with tiles.
 
 #include "src/city/city_files.hpp"
-#include "src/city/geo_tiff.hpp"
 #include "src/city/job.hpp"
+#include "src/city/map_sweep.hpp"
+#include "src/city/merge.hpp"
 #include "src/city/planning.hpp"
 #include "tests/city/generated_city.hpp"
 #include "tests/support/input_error.hpp"
@@ -10,6 +11,7 @@
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 namespace edgeshade::city {
 namespace {
@@ -37,6 +39,13 @@ PlanChoice choiceOf(std::size_t tiles = 1) {
     return choice;
 }
 
+/// All cells of a map, row by row from the north.
+struct WholeMap {
+    CellRange region;
+    std::vector<std::int32_t> lit;
+    std::size_t cellsHeld = 0;
+};
+
 /// Plans in a folder, and counts what the plan's jobs do.
 class CityRun {
   public:
@@ -58,12 +67,28 @@ class CityRun {
             read_, job, [](double, const std::string&) {}, threads));
     }
     /// Runs all jobs, the last first, and joins them.
-    CityMap map() const {
-        for (std::size_t job = jobs(); job >= 1; --job)
-            writeFile(results_ / fileNameOfJob(job), resultOf(job));
+    WholeMap map() const {
+        runAll();
         return joined();
     }
-    CityMap joined() const { return mapOf(read_, results_); }
+    void runAll() const {
+        for (std::size_t job = jobs(); job >= 1; --job)
+            writeFile(results_ / fileNameOfJob(job), resultOf(job));
+    }
+    WholeMap joined() const {
+        WholeMap map{plan().region, {}};
+        map.cellsHeld = sweepMap(read_, results_,
+                                 {[](const JobResult&) {}, [](std::size_t) {},
+                                  [&](std::span<const std::int32_t> lit) {
+                                      map.lit.insert(map.lit.end(), lit.begin(), lit.end());
+                                  }});
+        return map;
+    }
+    /// Writes the files of all jobs into a folder, and returns the report.
+    nlohmann::ordered_json mergeInto(const fs::path& folder) const {
+        return mergeCity(
+            read_, results_, folder, [](double) { return 0xFFFFFFu; }, [](double) {});
+    }
     fs::path resultPath(std::size_t job) const { return results_ / fileNameOfJob(job); }
 
   private:
@@ -72,12 +97,12 @@ class CityRun {
     ReadPlan read_;
 };
 
-CityMap mapOfFolder(const fs::path& input, const PlanChoice& choice) {
+WholeMap mapOfFolder(const fs::path& input, const PlanChoice& choice) {
     return CityRun(input, choice, "jobs").map();
 }
 
-std::size_t surfacesOf(const CityMap& map) {
-    return map.lit.size() - static_cast<std::size_t>(std::ranges::count(map.lit, CityMap::nothing));
+std::size_t surfacesOf(const WholeMap& map) {
+    return map.lit.size() - static_cast<std::size_t>(std::ranges::count(map.lit, nothing));
 }
 
 class CityTiles : public testing::TestWithParam<std::pair<std::uint32_t, double>> {};
@@ -94,13 +119,19 @@ TEST_P(CityTiles, GiveTheBytesOfTheWhole) {
     EXPECT_TRUE(std::ranges::any_of(tiles.plan().jobs, [&](const Job& job) {
         return job.sources.size() < tiles.plan().sources.size();
     }));
-    const CityMap one = whole.map(), many = tiles.map();
-    EXPECT_EQ(geoTiffOf(one, whole.plan()), geoTiffOf(many, tiles.plan()));
-    EXPECT_EQ(objectsCsvOf(one, whole.plan()), objectsCsvOf(many, tiles.plan()));
-    EXPECT_EQ(surfacesOf(one), one.lit.size());
-    const auto [least, most] = std::ranges::minmax(one.lit);
-    EXPECT_EQ(least, 0);
-    EXPECT_EQ(most, static_cast<std::int32_t>(one.positions));
+    whole.runAll();
+    tiles.runAll();
+    const test::TempFolder one, many;
+    const auto report = whole.mergeInto(one.path());
+    tiles.mergeInto(many.path());
+    EXPECT_EQ(one.names(), many.names());
+    for (const std::string& name : one.names()) {
+        if (name == "report.json") continue; // has the number of jobs
+        EXPECT_EQ(readFile(one / name), readFile(many / name)) << name;
+    }
+    EXPECT_EQ(report["cells_with_surface"], report["cells"]);
+    EXPECT_EQ(report["hours"]["min"], 0.0);
+    EXPECT_EQ(report["hours"]["max"], report["positions"]); // of an hour each
 }
 
 INSTANTIATE_TEST_SUITE_P(Generated, CityTiles,
@@ -109,7 +140,7 @@ INSTANTIATE_TEST_SUITE_P(Generated, CityTiles,
 
 TEST(City, IsTheSameInEveryFormat) {
     const GeneratedCity city = cityOf(4, 25.0);
-    std::vector<CityMap> maps;
+    std::vector<WholeMap> maps;
     const auto add = [&](const auto& write) {
         const test::TempFolder folder;
         write(folder.path());
@@ -120,7 +151,7 @@ TEST(City, IsTheSameInEveryFormat) {
     add([&](const fs::path& folder) { city.writeCityJsonSequence(folder); });
     add([&](const fs::path& folder) { city.writeGltf(folder); });
     add([&](const fs::path& folder) { city.writeTileset(folder, munich); });
-    for (const CityMap& map : maps) {
+    for (const WholeMap& map : maps) {
         EXPECT_EQ(map.region.columns(), 128);
         EXPECT_EQ(map.lit, maps.front().lit);
     }
@@ -199,7 +230,7 @@ TEST(City, RastersReachTheirEdges) {
         choice.grid = 4.0;
         return mapOfFolder(folder.path(), choice);
     };
-    const CityMap whole = mapInParts(1, 1), halves = mapInParts(2, 1);
+    const WholeMap whole = mapInParts(1, 1), halves = mapInParts(2, 1);
     EXPECT_EQ(surfacesOf(whole), whole.lit.size());
     EXPECT_EQ(mapInParts(1, 16).lit, whole.lit);
     EXPECT_EQ(mapInParts(2, 16).lit, halves.lit);
@@ -218,7 +249,8 @@ TEST(CityFaults, AreOneSentence) {
     const auto plan = [&] { CityRun(folder.path(), choiceOf(4), "jobs"); };
     const CityRun run(folder.path(), choiceOf(4), "jobs");
     // A job is missing, or of another plan.
-    test::expectInputError([&] { run.joined(); }, {"Job 1 of 4 has no result"});
+    const test::TempFolder output;
+    test::expectInputError([&] { run.mergeInto(output.path()); }, {"Job 1 of 4 has no result"});
     run.map();
     fs::copy_file(run.resultPath(1), run.resultPath(2), fs::copy_options::overwrite_existing);
     test::expectInputError([&] { run.joined(); }, {"job-2.city", "of job 1, not of job 2"});
@@ -274,20 +306,64 @@ TEST(CityFaults, OfTilesetsAreOneSentence) {
     expect(R"("content": {"uri": "a.b3dm"})", {"a.b3dm", "28 bytes"});
 }
 
+TEST(CityFaults, MergeWritesNothing) {
+    const test::TempFolder folder, output;
+    cityOf(8, 0.0).writeCityJson(folder.path());
+    const CityRun run(folder.path(), choiceOf(4), "jobs");
+    run.runAll();
+    const auto merge = [&] { run.mergeInto(output.path()); };
+    // A tile changes after the jobs ran. Its JSON is still sound, and its size the same.
+    const fs::path tile = folder / "tile-0-0.city.json";
+    const Bytes whole = readFile(tile);
+    std::string text(whole.begin(), whole.end());
+    text.replace(text.find("house-0-0"), 9, "house-X-X");
+    writeFile(tile, std::string_view(text));
+    test::expectInputError(merge, {"tile-0-0.city.json", "has changed since the plan was made"});
+    writeFile(tile, whole);
+    // A result names a tile that is elsewhere.
+    JobResult result = resultFrom(run.resultPath(1));
+    const auto& sources = run.plan().sources;
+    for (std::size_t i = 0; i < sources.size(); ++i)
+        if (sources[i].source.file == "tile-3-3.city.json") result.named.front().source = i;
+    writeFile(run.resultPath(1), bytesOfResult(result));
+    test::expectInputError(merge, {"job-1.city", "which isn't over the job's cells"});
+    EXPECT_TRUE(output.names().empty());
+}
+
+TEST(City, MergeHoldsARowOfTargets) {
+    const test::TempFolder folder, output;
+    cityOf(1, 10.0).writeGltf(folder.path());
+    const CityRun run(folder.path(), choiceOf(16), "jobs");
+    run.runAll();
+    // Sixteen squares of cells: a quarter is in memory at once.
+    const nlohmann::ordered_json report = run.mergeInto(output.path());
+    EXPECT_EQ(run.jobs(), 16u);
+    EXPECT_EQ(report["cells_held"].get<std::size_t>() * 4, report["cells"].get<std::size_t>());
+    EXPECT_EQ(output.names(),
+              (std::vector<std::string>{"hours.tif", "objects.csv", "preview.png", "report.json"}));
+}
+
 TEST(City, WritesHoursIntoCityJson) {
     const test::TempFolder folder;
     cityOf(9, 0.0).writeCityJson(folder.path());
     const CityRun run(folder.path(), choiceOf(), "jobs");
-    const CityMap map = run.map();
-    const auto json = nlohmann::json::parse(cityJsonWithHours(map, run.plan(), 0));
+    run.runAll();
+    const test::TempFolder output;
+    const auto report = run.mergeInto(output.path());
+    const std::string name = "hours-" + run.plan().sources[0].source.file;
+    const Bytes written = readFile(output / name), table = readFile(output / "objects.csv");
+    const auto json = nlohmann::json::parse(written.begin(), written.end());
     const double hours = json["CityObjects"]["house-0-0"]["attributes"]["+sun-hours"].get<double>();
-    const auto found = std::ranges::find(
-        map.objects, "house-0-0", [](const ObjectHours& object) { return object.object.id; });
-    ASSERT_NE(found, map.objects.end());
-    EXPECT_EQ(hours, map.meanHoursOf(*found));
+    const std::string csv(table.begin(), table.end());
+    // id, building, source, cells, area, mean
+    std::istringstream row(csv.substr(csv.find("\nhouse-0-0,") + 1));
+    std::string field;
+    for (int i = 0; i < 6; ++i)
+        std::getline(row, field, ',');
+    EXPECT_EQ(hours, std::stod(field));
     EXPECT_GT(hours, 0.0);
     // Seen from above, a city of solids and terrain has roofs and other ground, but no walls.
-    const auto kinds = mapReportOf(map, run.plan())["by_surface"];
+    const auto kinds = report["by_surface"];
     EXPECT_TRUE(kinds.contains("roof") && kinds.contains("none"));
     EXPECT_FALSE(kinds.contains("wall") || kinds.contains("ground"));
     EXPECT_GT(kinds["roof"]["mean_hours"], kinds["none"]["mean_hours"]);

@@ -1,0 +1,116 @@
+#include "src/city/map_sweep.hpp"
+
+#include "preprocess/base/error.hpp"
+#include "src/city/city_hours.hpp"
+#include "src/city/halo.hpp"
+#include "src/city/top_surface.hpp"
+
+#include <algorithm>
+#include <list>
+#include <numeric>
+
+namespace edgeshade::city {
+namespace {
+
+/// Whether a source may have a cell of a job.
+bool isOver(const PlannedSource& source, const Job& job, double grid) {
+    return !source.box.empty() && TargetBox(job.cells, grid, job.lowest).isUnder(source.box);
+}
+
+void requireOwn(const JobResult& result, const ReadPlan& read, std::size_t number,
+                const std::filesystem::path& path) {
+    const Plan& plan = read.plan;
+    if (result.plan != read.hash)
+        throw InputError("'" + path.string() + "' is the result of another plan.");
+    const Job& job = plan.jobs[number - 1];
+    if (result.job != number || result.cells != job.cells)
+        throw InputError("'" + path.string() + "' is the result of job " +
+                         std::to_string(result.job) + ", not of job " + std::to_string(number) +
+                         ".");
+    for (const ResultObject& object : result.named)
+        if (object.source >= plan.sources.size() ||
+            !isOver(plan.sources[object.source], job, plan.grid))
+            throw InputError("'" + path.string() + "' names source " +
+                             std::to_string(object.source) + ", which isn't over the job's cells.");
+}
+
+/// The jobs' numbers, from 1, by their northern edges.
+std::vector<std::size_t> fromTheNorth(const std::vector<Job>& jobs) {
+    std::vector<std::size_t> order(jobs.size());
+    std::iota(order.begin(), order.end(), std::size_t{1});
+    std::ranges::stable_sort(order, std::greater(),
+                             [&](std::size_t job) { return jobs[job - 1].cells.top; });
+    return order;
+}
+
+/// For each place in the order of jobs, the sources that none of the jobs after it is on. Sources
+/// that no job is on are at the last place.
+std::vector<std::vector<std::size_t>> sourceEnds(const Plan& plan,
+                                                 const std::vector<std::size_t>& order) {
+    std::vector<std::size_t> lastOf(plan.sources.size(), order.empty() ? 0 : order.size() - 1);
+    for (std::size_t place = 0; place < order.size(); ++place) {
+        const Job& job = plan.jobs[order[place] - 1];
+        for (const std::size_t source : job.sources)
+            if (isOver(plan.sources[source], job, plan.grid)) lastOf[source] = place;
+    }
+    std::vector<std::vector<std::size_t>> ends(order.size());
+    for (std::size_t source = 0; source < plan.sources.size() && !order.empty(); ++source)
+        ends[lastOf[source]].push_back(source);
+    return ends;
+}
+
+void putRow(const JobResult& result, std::int64_t y, std::int64_t left,
+            std::span<std::int32_t> line) {
+    const auto columns = static_cast<std::size_t>(result.cells.columns());
+    const std::size_t first = static_cast<std::size_t>(y - result.cells.bottom) * columns;
+    for (std::size_t x = 0; x < columns; ++x)
+        if (result.objects[first + x] != noSurface)
+            line[static_cast<std::size_t>(result.cells.left - left) + x] = result.lit[first + x];
+}
+
+} // namespace
+
+void requireAllThere(const Plan& plan, const std::filesystem::path& results) {
+    for (std::size_t job = 1; job <= plan.jobs.size(); ++job) {
+        const std::filesystem::path path = results / fileNameOfJob(job);
+        std::error_code error;
+        if (!std::filesystem::exists(path, error))
+            throw InputError("Job " + std::to_string(job) + " of " +
+                             std::to_string(plan.jobs.size()) + " has no result: '" +
+                             path.string() + "' is missing.");
+    }
+}
+
+std::size_t sweepMap(const ReadPlan& read, const std::filesystem::path& results,
+                     const MapVisitor& visitor) {
+    const Plan& plan = read.plan;
+    const std::vector<std::size_t> order = fromTheNorth(plan.jobs);
+    const std::vector<std::vector<std::size_t>> ends = sourceEnds(plan, order);
+    std::list<JobResult> held;
+    std::size_t next = 0, cells = 0, mostCells = 0;
+    std::vector<std::int32_t> line(static_cast<std::size_t>(plan.region.columns()));
+    for (std::int64_t y = plan.region.top - 1; y >= plan.region.bottom; --y) {
+        std::erase_if(held, [&](const JobResult& result) {
+            const bool isPast = result.cells.bottom > y;
+            if (isPast) cells -= result.cells.count();
+            return isPast;
+        });
+        for (; next < order.size() && plan.jobs[order[next] - 1].cells.top > y; ++next) {
+            const std::filesystem::path path = results / fileNameOfJob(order[next]);
+            held.push_back(resultFrom(path));
+            requireOwn(held.back(), read, order[next], path);
+            cells += held.back().cells.count();
+            visitor.job(held.back());
+            for (const std::size_t source : ends[next])
+                visitor.sourceEnd(source);
+        }
+        mostCells = std::max(mostCells, cells);
+        std::ranges::fill(line, nothing);
+        for (const JobResult& result : held)
+            putRow(result, y, plan.region.left, line);
+        visitor.row(line);
+    }
+    return mostCells;
+}
+
+} // namespace edgeshade::city
