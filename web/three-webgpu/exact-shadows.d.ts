@@ -8,7 +8,7 @@ import type { AlphaTestedCast, TransparentCast } from '../three/exact-shadows.js
 export const version: string;
 
 export interface ExactShadowsOptions {
-  /** See ExactShadows.alphaTestedCast. Default: 'whole'. */
+  /** See ExactShadows.alphaTestedCast. Default: 'exact'. */
   alphaTestedCast?: NodeAlphaTestedCast;
   /** See ExactShadows.transparentCast. Default: 'none'. */
   transparentCast?: TransparentCast;
@@ -17,7 +17,7 @@ export interface ExactShadowsOptions {
 }
 
 /** How alpha-tested meshes with castShadow cast. */
-export type NodeAlphaTestedCast = Extract<AlphaTestedCast, 'whole' | 'none'>;
+export type NodeAlphaTestedCast = Exclude<AlphaTestedCast, 'exact-or-whole'>;
 
 /** How a casting light is shadowed. */
 export interface LightShadow {
@@ -48,7 +48,10 @@ export class ExactShadows extends EventTarget {
   /** Turns the renderer's shadowMap on, until dispose(). Throws an Error with a sentence. */
   constructor(renderer: Renderer, options?: ExactShadowsOptions);
 
-  /** 'whole', the default: all of their triangles; 'none': nothing. */
+  /**
+   * 'exact', the default: lookups have what alpha leaves, once the textures are read back; 'whole': all of
+   * their triangles; 'none': nothing. three.js's own maps have holes as three.js draws them.
+   */
   alphaTestedCast: NodeAlphaTestedCast;
   /** As in edgeshade/three; three.js's own maps have no tints. */
   transparentCast: TransparentCast;

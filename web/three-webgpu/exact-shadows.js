@@ -13,21 +13,20 @@ import { Warnings } from '../three/warnings.js';
 import { ShadowMasks } from '../masks/shadow-masks.js';
 import { LightShadows } from './light-shadows.js';
 import { memoryContext } from './memory-context.js';
+import { NodeAlphaTests } from './node-alpha-tests.js';
 import { requireRelease } from './release.js';
+import { TexelReading } from './texel-reading.js';
 
 export { version } from '../element/version.js';
 
-/** Choices of how alpha-tested and see-through meshes cast: lookups have no holes here. */
-const choices = { alphaTestedCast: ['whole', 'none'], transparentCast: ['none', 'opaque', 'tint'] };
+/** Choices of how alpha-tested and see-through meshes cast. */
+const choices = { alphaTestedCast: ['exact', 'whole', 'none'], transparentCast: ['none', 'opaque', 'tint'] };
 
 function requireChoices(chosen) {
   for (const [name, all] of Object.entries(choices))
     if (!all.includes(chosen[name])) throw new Error(`${name} is '${chosen[name]}', which is not one of ${all.join(', ')} in edgeshade/three-webgpu.`);
 }
 
-/** Alpha-tested casters' alpha in the form of ShadowMasks.setAlpha(): lookups have whole triangles. */
-const wholeAlpha = { of: ({ opacity, alphaTest }) => ({ texture: null, channel: 'alpha', opacity, cutoff: alphaTest,
-  texcoordTransform: [1, 0, 0, 0, 1, 0, 0, 0, 1], cutsOut: false, texels: null, why: '' }) };
 
 /** Milliseconds between steps outside of frames, and between looks at lights that rest. */
 const stepWait = 16, lightWait = 100;
@@ -37,6 +36,7 @@ export class ExactShadows extends EventTarget {
   #masks = null;
   #casters = null;
   #resting = null;
+  #texels = null;
   #shadows;
   #warnings = new Warnings();
   #lights = []; // {light: three.js's, numbers: MaskLight} of the last picture
@@ -51,7 +51,7 @@ export class ExactShadows extends EventTarget {
   #radii = new WeakMap();
   #hadShadows;
 
-  constructor(renderer, { alphaTestedCast = 'whole', transparentCast = 'none', lookups = 4 } = {}) {
+  constructor(renderer, { alphaTestedCast = 'exact', transparentCast = 'none', lookups = 4 } = {}) {
     super();
     if (!renderer?.isWebGPURenderer) throw new Error('ExactShadows of edgeshade/three-webgpu needs a WebGPURenderer of three.js.');
     requireRelease(REVISION);
@@ -78,7 +78,8 @@ export class ExactShadows extends EventTarget {
     }
     this.#masks = masks;
     const unclipped = new Clippings({ clippingPlanes: [], localClippingEnabled: false });
-    this.#casters = new Casters(masks, wholeAlpha, unclipped, this.#warnings, { touched() {}, failed: (message) => this.#tell(message) });
+    this.#texels = new TexelReading(this.#renderer, masks);
+    this.#casters = new Casters(masks, new NodeAlphaTests(this.#texels), unclipped, this.#warnings, { touched() {}, failed: (message) => this.#tell(message) });
     this.#resting = new RestingLights(masks, this.#mostLookedUp, () => {});
     this.#progress.invalidate();
   }
@@ -158,7 +159,7 @@ export class ExactShadows extends EventTarget {
     const { sources, lights: numbers } = castingLights(lights, (light) => this.#radii.get(light) ?? 0);
     this.#lights = sources.map((light, i) => ({ light, numbers: numbers[i] }));
     this.#maps = this.#resting ? this.#resting.follow(this.#lights, this.#isSettled) : sources.map(() => null);
-    this.#shadows.show(sources, this.#maps, meshes, Boolean(this.#casters?.tints));
+    this.#shadows.show(sources, this.#maps, meshes, { cutouts: this.#casters?.cutsOut, tints: this.#casters?.tints });
     if (this.#masks) this.#progress.drawn(this.#standing());
     return this.#maps.some(Boolean);
   }
@@ -173,6 +174,7 @@ export class ExactShadows extends EventTarget {
     this.#casters = null;
     this.#resting?.forget();
     this.#resting = null;
+    this.#texels?.dispose();
     this.#masks?.dispose();
     this.#masks = null;
   }
@@ -180,7 +182,7 @@ export class ExactShadows extends EventTarget {
   /** Whether a material's surfaces cast, if their mesh does. */
   #casts(material) {
     if (!material?.visible) return false;
-    return isAlphaTested(material) ? this.alphaTestedCast === 'whole' : !isSeeThrough(material) || this.transparentCast === 'opaque';
+    return isAlphaTested(material) ? this.alphaTestedCast !== 'none' : !isSeeThrough(material) || this.transparentCast === 'opaque';
   }
 
   /** Follows the scene's current state. Returns the lights and meshes that the camera sees. */
@@ -188,6 +190,7 @@ export class ExactShadows extends EventTarget {
     if (scene.matrixWorldAutoUpdate !== false) scene.updateMatrixWorld();
     if (camera.parent === null && camera.matrixWorldAutoUpdate !== false) camera.updateMatrixWorld();
     const seen = visibleOf(scene, camera, ancestorTakesPart(scene, this.#roots) ? new Set([scene]) : this.#roots);
+    this.#texels?.advance();
     this.#casters?.follow(seen.meshes, this.alphaTestedCast, this.transparentCast);
     return seen;
   }
@@ -199,7 +202,7 @@ export class ExactShadows extends EventTarget {
   }
 
   get #isSettled() {
-    return this.#casters.pending === 0;
+    return this.#casters.pending === 0 && !this.#texels.waits;
   }
 
   /** The state that a frame would show, and when to go on, for Progress. */

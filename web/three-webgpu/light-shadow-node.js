@@ -4,7 +4,7 @@
 import { BackSide, Vector2 } from 'three';
 import { bool, float, Fn, frontFacing, If, Loop, min, mix, reference, renderGroup, uniform, vec3 } from 'three/tsl';
 import { ShadowBaseNode } from 'three/webgpu';
-import { lookUp, placeOnTriangle } from './lookup.js';
+import { lookUp, lookUpPoints, placeOnTriangle } from './lookup.js';
 import { MapNodes } from './map-nodes.js';
 import { ownMapOf } from './own-map.js';
 
@@ -17,8 +17,8 @@ export class LightShadowNode extends ShadowBaseNode {
   #isHigher = false; // light.shadow.mapSize, by one texel
   #ownSize = new Vector2();
 
-  /** Whether lookups have tinted triangles: for shaders that are compiled later. */
-  tints = false;
+  /** Abilities of shaders that are compiled later: {cutouts, tints, soft: for lights with a radius}, booleans. */
+  lookups = {};
 
   static get type() {
     return 'EdgeshadeLightShadowNode';
@@ -54,12 +54,12 @@ export class LightShadowNode extends ShadowBaseNode {
     const intensity = reference('intensity', 'float', this.light.shadow).setGroup(renderGroup);
     return Fn(() => {
       const place = placeOnTriangle();
-      const share = { lit: float(1).toVar(), tint: this.tints ? vec3(1).toVar() : null };
-      // A loop, since a branch doesn't keep software renderers from sampling a map that isn't there.
-      Loop({ start: 0, end: this.#map.present, type: 'int', condition: '<', name: 'lookup' }, () => {
-        lookUp({ map: this.#map, directional: Boolean(this.light.isDirectionalLight), place,
-          casts: this.#casts.equal(1).toVar(), held: this.#drawsOwn.equal(0), front, share });
-      });
+      const share = { lit: float(1).toVar(), tint: this.lookups.tints ? vec3(1).toVar() : null, cutouts: this.lookups.cutouts };
+      const given = { map: this.#map, directional: Boolean(this.light.isDirectionalLight), place, casts: this.#casts.equal(1).toVar(),
+        held: this.#drawsOwn.equal(0), front, share };
+      // Loops, since a branch doesn't keep software renderers from sampling a map that isn't there.
+      Loop({ start: 0, end: this.#map.present, type: 'int', condition: '<', name: 'lookup' }, () => lookUp(given));
+      if (this.lookups.soft) Loop({ start: 0, end: min(this.#map.sixteens, 1), type: 'int', condition: '<', name: 'soft' }, () => lookUpPoints(given));
       const shown = mix(vec3(1), vec3(share.tint ? share.tint.mul(share.lit) : share.lit), intensity).toVar();
       If(this.#drawsOwn.equal(1), () => { shown.assign(min(shown, vec3(float(this.#own)))); });
       return shown;

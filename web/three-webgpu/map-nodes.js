@@ -4,6 +4,9 @@
 import { DataTexture, FloatType, Matrix4, RGBAFormat, Vector4 } from 'three';
 import { int, ivec2, renderGroup, select, textureLoad, uint, uniform, vec2 } from 'three/tsl';
 
+/** Entries of the longest list, or more. */
+export const longest = 3072;
+
 const shared = (...given) => uniform(...given).setGroup(renderGroup);
 
 /** A table for lights without a map. */
@@ -22,8 +25,12 @@ export class MapNodes {
   #entries = shared(0, 'uint');    // texels at which entries begin
   #records = shared(0, 'uint');
 
-  /** 1: there is a map; 0: there is none. */
+  #places = shared(0, 'uint');
+
+  /** 1: there is a map of a light without a radius; 0: there is none. */
   present = shared(0, 'int');
+  /** Sixteens of the points of a light with a radius; 0: there is no map of one. */
+  sixteens = shared(0, 'int');
   /** Texels along a tile's edge. */
   size = shared(1);
   /** 1: a point light with six tiles. */
@@ -39,7 +46,8 @@ export class MapNodes {
 
   /** `map`: of RestingLights, or null. Returns whether the table is another texture now. */
   show(map) {
-    this.present.value = map ? 1 : 0;
+    [this.#places.value, this.sixteens.value] = map?.places ?? [0, 0];
+    this.present.value = map && this.sixteens.value === 0 ? 1 : 0;
     const replaced = this.#replaceTable(map?.texture);
     if (!map) return replaced;
     this.#columnBits.value = Math.log2(map.tableSize[0]);
@@ -67,6 +75,11 @@ export class MapNodes {
   /** Four numbers of a record; `index`, a uint, counts fours. */
   record(index) {
     return this.#texel(this.#records.add(index));
+  }
+
+  /** Four numbers of the places of a light with a radius; `index`, a uint, counts fours. */
+  place(index) {
+    return this.#texel(this.#places.add(index));
   }
 
   #replaceTable(memory) {
