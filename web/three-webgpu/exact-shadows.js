@@ -5,6 +5,7 @@ import { isAlphaTested } from '../three/alpha-tests.js';
 import { Casters } from '../three/casters.js';
 import { Clippings } from '../three/clippings.js';
 import { Progress } from '../three/progress.js';
+import { boxAround } from '../three/receiver-box.js';
 import { RestingLights } from '../three/resting-lights.js';
 import { castingLights } from '../three/scene-lights.js';
 import { isSeeThrough } from '../three/see-through.js';
@@ -51,12 +52,13 @@ export class ExactShadows extends EventTarget {
   #radii = new WeakMap();
   #hadShadows;
 
-  constructor(renderer, { alphaTestedCast = 'exact', transparentCast = 'none', lookups = 4 } = {}) {
+  constructor(renderer, { lightSamples = 64, alphaTestedCast = 'exact', transparentCast = 'none', lookups = 4 } = {}) {
     super();
     if (!renderer?.isWebGPURenderer) throw new Error('ExactShadows of edgeshade/three-webgpu needs a WebGPURenderer of three.js.');
     requireRelease(REVISION);
     requireChoices({ alphaTestedCast, transparentCast });
     this.#renderer = renderer;
+    this.lightSamples = lightSamples;
     this.alphaTestedCast = alphaTestedCast;
     this.transparentCast = transparentCast;
     this.#mostLookedUp = lookups;
@@ -95,7 +97,10 @@ export class ExactShadows extends EventTarget {
     return this;
   }
 
-  /** Sets the extent of a light: three.js's own map softens its shadows. 0: hard. */
+  /**
+   * Sets the extent that softens a light's shadows while it is looked up: a point light's or spot's radius; for
+   * a sun half its angle. 0: hard.
+   */
   setRadius(light, radius) {
     this.#radii.set(light, radius);
     return this;
@@ -158,6 +163,7 @@ export class ExactShadows extends EventTarget {
     const { lights, meshes } = this.#follow(this.#last);
     const { sources, lights: numbers } = castingLights(lights, (light) => this.#radii.get(light) ?? 0);
     this.#lights = sources.map((light, i) => ({ light, numbers: numbers[i] }));
+    if (this.#resting) this.#resting.samples = this.lightSamples;
     this.#maps = this.#resting ? this.#resting.follow(this.#lights, this.#isSettled) : sources.map(() => null);
     this.#shadows.show(sources, this.#maps, meshes, { cutouts: this.#casters?.cutsOut, tints: this.#casters?.tints });
     if (this.#masks) this.#progress.drawn(this.#standing());
@@ -192,6 +198,8 @@ export class ExactShadows extends EventTarget {
     const seen = visibleOf(scene, camera, ancestorTakesPart(scene, this.#roots) ? new Set([scene]) : this.#roots);
     this.#texels?.advance();
     this.#casters?.follow(seen.meshes, this.alphaTestedCast, this.transparentCast);
+    if (seen.lights.some((light) => light.castShadow && this.#radii.get(light) > 0))
+      this.#masks?.setReceivers(...boxAround(seen.meshes.filter((mesh) => mesh.receiveShadow && !this.#casters.has(mesh))));
     return seen;
   }
 

@@ -214,8 +214,10 @@ export function lookUpPoints({ map, directional, place, casts, held, front, shar
   If(whole.and(lightSide.mul(dot(across, towardsEye)).lessThan(0)), () => { lit.assign(0); }).Else(() => {
     texelOf(map, point, directional, ({ depth }, header) => {
       If(depth.sub(error).greaterThan(header.x), () => { lit.assign(0); }).Else(() => {
-        const list = { header, depth, isShort: whole.and(held).and(front).toVar() }; // lit sheets needn't be tested
-        If(isEmpty(header, list.isShort).not(), () => { lit.assign(pointsLeft(map, list, { point, error, towardsEye, w: middle.w }).div(arms[0].w)); });
+        const isShort = whole.and(held).and(front).toVar(); // lit sheets needn't be tested
+        const list = { header, depth, isShort, isEmpty: isEmpty(header, isShort).toVar() };
+        const left = pointsLeft(map, list, { point, error, towardsEye, w: middle.w });
+        lit.assign(select(list.isEmpty, float(1), left.div(arms[0].w)));
       });
     });
   });

@@ -2,7 +2,8 @@
 // in the group that three.js updates in every render.
 
 import { DataTexture, FloatType, Matrix4, RGBAFormat, Vector4 } from 'three';
-import { int, ivec2, renderGroup, select, textureLoad, uint, uniform, vec2 } from 'three/tsl';
+import { int, ivec2, nodeObject, renderGroup, select, textureLoad, uint, uniform, vec2 } from 'three/tsl';
+import { TextureNode } from 'three/webgpu';
 
 /** Entries of the longest list, or more. */
 export const longest = 3072;
@@ -19,17 +20,28 @@ function tableOf({ pixels, width, height }) {
   return table;
 }
 
+/** A texture that is never flipped: three.js branches at each texel for others, where it uses WebGL. */
+class TableNode extends TextureNode {
+  static get type() {
+    return 'EdgeshadeTableNode';
+  }
+
+  setupUV(builder, place) {
+    return place;
+  }
+}
+
 export class MapNodes {
-  #table = textureLoad(emptyTable(), ivec2(0));
+  #table = nodeObject(new TableNode(emptyTable()));
   #columnBits = shared(0, 'uint'); // the table's columns are a power of 2
   #entries = shared(0, 'uint');    // texels at which entries begin
   #records = shared(0, 'uint');
 
   #places = shared(0, 'uint');
 
-  /** 1: there is a map of a light without a radius; 0: there is none. */
+  /** 1: there is a map; 0: there is none. */
   present = shared(0, 'int');
-  /** Sixteens of the points of a light with a radius; 0: there is no map of one. */
+  /** Sixteens of the points of a light with a radius. */
   sixteens = shared(0, 'int');
   /** Texels along a tile's edge. */
   size = shared(1);
@@ -46,12 +58,12 @@ export class MapNodes {
 
   /** `map`: of RestingLights, or null. Returns whether the table is another texture now. */
   show(map) {
-    [this.#places.value, this.sixteens.value] = map?.places ?? [0, 0];
-    this.present.value = map && this.sixteens.value === 0 ? 1 : 0;
+    this.present.value = map ? 1 : 0;
     const replaced = this.#replaceTable(map?.texture);
     if (!map) return replaced;
     this.#columnBits.value = Math.log2(map.tableSize[0]);
     [this.#entries.value, this.#records.value] = map.begins;
+    [this.#places.value, this.sixteens.value] = map.places;
     this.size.value = map.size;
     this.sixTiles.value = map.kind === 2 ? 1 : 0;
     this.mapFromWorld.value.fromArray(map.mapFromWorld);

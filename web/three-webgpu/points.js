@@ -41,13 +41,13 @@ function triangleBefore(map, record, { point, error, towardsEye, w }) {
 }
 
 /**
- * Number of places that the triangles of a list leave: {header, depth, isShort: whether it ends before
- * triangles that only points test which don't cast}. `place`: {point, error, towardsEye; w: 1, or 0 for
+ * Number of places that the triangles of a list leave: {header, depth, isEmpty, isShort: whether it ends before
+ * triangles that only points test which don't cast}; 0 of an empty one. `place`: {point, error, towardsEye; w: 1, or 0 for
  * directions}.
  */
-export function pointsLeft(map, { header, depth, isShort }, place) {
+export function pointsLeft(map, { header, depth, isEmpty, isShort }, place) {
   const left = float(0).toVar(), list = floor(header.y).toVar();
-  Loop({ start: int(0), end: map.sixteens, type: 'int', condition: '<', name: 'sixteen' }, ({ sixteen }) => {
+  Loop({ start: int(0), end: select(isEmpty, int(0), map.sixteens), type: 'int', condition: '<', name: 'sixteen' }, ({ sixteen }) => {
     const first = uint(sixteen).mul(uint(16)).add(uint(4)).toVar();
     const rows = (begin) => fours.map((k) => map.place(first.add(uint(begin + k))).toVar());
     const [x, y, z] = ['x', 'y', 'z'].map((axis, i) => rows(4 * i).map((row) => row.sub(place.w.mul(place.point[axis])).toVar()));

@@ -144,8 +144,19 @@ export function sheets() {
   return scene;
 }
 
-/** {scene, camera, options: for shadows} by name. */
+/** The yard, and a pane that receives, and isn't one of the mask engine's meshes. */
+export function softYard() {
+  const { scene } = yard();
+  const pane = meshOf(new three.PlaneGeometry(1.2, 1.2), white({ transparent: true, side: three.DoubleSide }), [-0.4, 0.5, 2]);
+  pane.rotation.set(-1.5, 0, 0.3);
+  pane.castShadow = false;
+  scene.add(pane);
+  return scene;
+}
+
+/** {scene, camera, options: of lookedUp()} by name. */
 export async function sceneOf(name) {
+  if (name === 'soft yard') return { scene: softYard(), camera: cameraOf(yardView), options: { lightSamples: 16, radius: 0.15, at: { width: 120, height: 90 } } };
   if (name === 'leaves') return { scene: leaves(), camera: cameraOf(yardView) };
   if (name === 'sheets') return { scene: sheets(), camera: cameraOf(yardView), options: { transparentCast: 'tint' } };
   if (name === 'panes') return { scene: panes(), camera: cameraOf(yardView), options: { transparentCast: 'tint' } };
@@ -184,10 +195,11 @@ export async function redOf(renderer, draw) {
 /** Shadows for a renderer, by its kind. */
 export const shadowsOf = (renderer, options) => (renderer.isWebGLRenderer ? new ExactShadows(renderer, options) : new NodeShadows(renderer, options));
 
-/** A picture with all lights looked up: {lookedUp, red, methods}. */
-export async function lookedUp(backend, scene, camera, { lights = 1, ...options } = {}) {
-  const renderer = await rendererOf(backend);
+/** A picture of the size `at` with all lights looked up, `options` for their shadows: {lookedUp, red, methods}. */
+export async function lookedUp(backend, scene, camera, { lights = 1, radius = 0, at = size, ...options } = {}) {
+  const renderer = await rendererOf(backend, at);
   const shadows = shadowsOf(renderer, { lookups: 4, ...options }).add(scene);
+  scene.traverse((light) => { if (light.isLight) shadows.setRadius(light, radius); });
   const found = await rested(shadows, scene, camera, lights);
   const red = await redOf(renderer, () => shadows.render(scene, camera));
   const methods = shadows.lights.map(({ method, reason }) => `${method}: ${reason}`);
@@ -201,8 +213,7 @@ export async function lookedUp(backend, scene, camera, { lights = 1, ...options 
  * {differ: pixels whose light differs, beyond: those with no boundary of the first picture within a pixel,
  * shadow: dark ones, lit, grey} of two pictures.
  */
-export function compared(a, b) {
-  const { width } = size;
+export function compared(a, b, { width } = size) {
   const around = [-1, 0, 1].flatMap((row) => [-1, 0, 1].map((column) => row * width + column));
   let differ = 0, beyond = 0, shadow = 0, lit = 0, grey = 0;
   for (let i = 0; i < a.length; ++i) {
