@@ -8,7 +8,9 @@ import type { AlphaTestedCast, TransparentCast } from '../three/exact-shadows.js
 export const version: string;
 
 export interface ExactShadowsOptions {
-  /** See ExactShadows.alphaTestedCast. Default: 'whole'. */
+  /** Points of each light that has a radius, 1 to 4096. Default: 64. */
+  lightSamples?: number;
+  /** See ExactShadows.alphaTestedCast. Default: 'exact'. */
   alphaTestedCast?: NodeAlphaTestedCast;
   /** See ExactShadows.transparentCast. Default: 'none'. */
   transparentCast?: TransparentCast;
@@ -17,7 +19,7 @@ export interface ExactShadowsOptions {
 }
 
 /** How alpha-tested meshes with castShadow cast. */
-export type NodeAlphaTestedCast = Extract<AlphaTestedCast, 'whole' | 'none'>;
+export type NodeAlphaTestedCast = Exclude<AlphaTestedCast, 'exact-or-whole'>;
 
 /** How a casting light is shadowed. */
 export interface LightShadow {
@@ -37,8 +39,8 @@ export interface LightShadow {
  * sets each light's shadow.shadowNode, a node that three.js takes in place of its own.
  *
  * A light that has rested for half a second is looked up once a worker has built its map of the casters
- * that rest. Until then, and while it moves or has a radius, three.js draws its own map, by the
- * settings of light.shadow. Casters that came or moved lately are drawn into three.js's map, on top of the
+ * that rest. Until then, and while it moves, three.js draws its own map, by the settings of
+ * light.shadow. Casters that came or moved lately are drawn into three.js's map, on top of the
  * lookup; a caster in the light's map that starts to move ends it until another map is ready.
  *
  * The events are those of edgeshade/three: 'change' says that one more frame would look different, and
@@ -48,7 +50,12 @@ export class ExactShadows extends EventTarget {
   /** Turns the renderer's shadowMap on, until dispose(). Throws an Error with a sentence. */
   constructor(renderer: Renderer, options?: ExactShadowsOptions);
 
-  /** 'whole', the default: all of their triangles; 'none': nothing. */
+  /** Points of each light that has a radius, 1 to 4096. */
+  lightSamples: number;
+  /**
+   * 'exact', the default: lookups have what alpha leaves, once the textures are read back; 'whole': all of
+   * their triangles; 'none': nothing. three.js's own maps have holes as three.js draws them.
+   */
   alphaTestedCast: NodeAlphaTestedCast;
   /** As in edgeshade/three; three.js's own maps have no tints. */
   transparentCast: TransparentCast;
@@ -56,7 +63,10 @@ export class ExactShadows extends EventTarget {
   /** Includes everything below an object from now on, including later additions. */
   add(object: Object3D): this;
   remove(object: Object3D): this;
-  /** A light's extent: three.js's own map shadows it. 0: it is a point, and is looked up at rest. */
+  /**
+   * A light's extent, as in edgeshade/three: at rest it is looked up for each of `lightSamples` points, as long
+   * as all casters rest and none of them is cut out or tints. 0: it is a point.
+   */
   setRadius(light: Light, radius: number): this;
 
   /** Use it in place of renderer.render(). */

@@ -5,6 +5,7 @@ import { isAlphaTested } from '../three/alpha-tests.js';
 import { Casters } from '../three/casters.js';
 import { Clippings } from '../three/clippings.js';
 import { Progress } from '../three/progress.js';
+import { boxAround } from '../three/receiver-box.js';
 import { RestingLights } from '../three/resting-lights.js';
 import { castingLights } from '../three/scene-lights.js';
 import { isSeeThrough } from '../three/see-through.js';
@@ -13,21 +14,20 @@ import { Warnings } from '../three/warnings.js';
 import { ShadowMasks } from '../masks/shadow-masks.js';
 import { LightShadows } from './light-shadows.js';
 import { memoryContext } from './memory-context.js';
+import { NodeAlphaTests } from './node-alpha-tests.js';
 import { requireRelease } from './release.js';
+import { TexelReading } from './texel-reading.js';
 
 export { version } from '../element/version.js';
 
-/** Choices of how alpha-tested and see-through meshes cast: lookups have no holes here. */
-const choices = { alphaTestedCast: ['whole', 'none'], transparentCast: ['none', 'opaque', 'tint'] };
+/** Choices of how alpha-tested and see-through meshes cast. */
+const choices = { alphaTestedCast: ['exact', 'whole', 'none'], transparentCast: ['none', 'opaque', 'tint'] };
 
 function requireChoices(chosen) {
   for (const [name, all] of Object.entries(choices))
     if (!all.includes(chosen[name])) throw new Error(`${name} is '${chosen[name]}', which is not one of ${all.join(', ')} in edgeshade/three-webgpu.`);
 }
 
-/** Alpha-tested casters' alpha in the form of ShadowMasks.setAlpha(): lookups have whole triangles. */
-const wholeAlpha = { of: ({ opacity, alphaTest }) => ({ texture: null, channel: 'alpha', opacity, cutoff: alphaTest,
-  texcoordTransform: [1, 0, 0, 0, 1, 0, 0, 0, 1], cutsOut: false, texels: null, why: '' }) };
 
 /** Milliseconds between steps outside of frames, and between looks at lights that rest. */
 const stepWait = 16, lightWait = 100;
@@ -37,6 +37,7 @@ export class ExactShadows extends EventTarget {
   #masks = null;
   #casters = null;
   #resting = null;
+  #texels = null;
   #shadows;
   #warnings = new Warnings();
   #lights = []; // {light: three.js's, numbers: MaskLight} of the last picture
@@ -51,12 +52,13 @@ export class ExactShadows extends EventTarget {
   #radii = new WeakMap();
   #hadShadows;
 
-  constructor(renderer, { alphaTestedCast = 'whole', transparentCast = 'none', lookups = 4 } = {}) {
+  constructor(renderer, { lightSamples = 64, alphaTestedCast = 'exact', transparentCast = 'none', lookups = 4 } = {}) {
     super();
     if (!renderer?.isWebGPURenderer) throw new Error('ExactShadows of edgeshade/three-webgpu needs a WebGPURenderer of three.js.');
     requireRelease(REVISION);
     requireChoices({ alphaTestedCast, transparentCast });
     this.#renderer = renderer;
+    this.lightSamples = lightSamples;
     this.alphaTestedCast = alphaTestedCast;
     this.transparentCast = transparentCast;
     this.#mostLookedUp = lookups;
@@ -78,7 +80,8 @@ export class ExactShadows extends EventTarget {
     }
     this.#masks = masks;
     const unclipped = new Clippings({ clippingPlanes: [], localClippingEnabled: false });
-    this.#casters = new Casters(masks, wholeAlpha, unclipped, this.#warnings, { touched() {}, failed: (message) => this.#tell(message) });
+    this.#texels = new TexelReading(this.#renderer, masks);
+    this.#casters = new Casters(masks, new NodeAlphaTests(this.#texels), unclipped, this.#warnings, { touched() {}, failed: (message) => this.#tell(message) });
     this.#resting = new RestingLights(masks, this.#mostLookedUp, () => {});
     this.#progress.invalidate();
   }
@@ -94,7 +97,10 @@ export class ExactShadows extends EventTarget {
     return this;
   }
 
-  /** Sets the extent of a light: three.js's own map softens its shadows. 0: hard. */
+  /**
+   * Sets the extent that softens a light's shadows while it is looked up: a point light's or spot's radius; for
+   * a sun half its angle. 0: hard.
+   */
   setRadius(light, radius) {
     this.#radii.set(light, radius);
     return this;
@@ -157,8 +163,9 @@ export class ExactShadows extends EventTarget {
     const { lights, meshes } = this.#follow(this.#last);
     const { sources, lights: numbers } = castingLights(lights, (light) => this.#radii.get(light) ?? 0);
     this.#lights = sources.map((light, i) => ({ light, numbers: numbers[i] }));
+    if (this.#resting) this.#resting.samples = this.lightSamples;
     this.#maps = this.#resting ? this.#resting.follow(this.#lights, this.#isSettled) : sources.map(() => null);
-    this.#shadows.show(sources, this.#maps, meshes, Boolean(this.#casters?.tints));
+    this.#shadows.show(sources, this.#maps, meshes, { cutouts: this.#casters?.cutsOut, tints: this.#casters?.tints });
     if (this.#masks) this.#progress.drawn(this.#standing());
     return this.#maps.some(Boolean);
   }
@@ -173,6 +180,7 @@ export class ExactShadows extends EventTarget {
     this.#casters = null;
     this.#resting?.forget();
     this.#resting = null;
+    this.#texels?.dispose();
     this.#masks?.dispose();
     this.#masks = null;
   }
@@ -180,7 +188,7 @@ export class ExactShadows extends EventTarget {
   /** Whether a material's surfaces cast, if their mesh does. */
   #casts(material) {
     if (!material?.visible) return false;
-    return isAlphaTested(material) ? this.alphaTestedCast === 'whole' : !isSeeThrough(material) || this.transparentCast === 'opaque';
+    return isAlphaTested(material) ? this.alphaTestedCast !== 'none' : !isSeeThrough(material) || this.transparentCast === 'opaque';
   }
 
   /** Follows the scene's current state. Returns the lights and meshes that the camera sees. */
@@ -188,7 +196,10 @@ export class ExactShadows extends EventTarget {
     if (scene.matrixWorldAutoUpdate !== false) scene.updateMatrixWorld();
     if (camera.parent === null && camera.matrixWorldAutoUpdate !== false) camera.updateMatrixWorld();
     const seen = visibleOf(scene, camera, ancestorTakesPart(scene, this.#roots) ? new Set([scene]) : this.#roots);
+    this.#texels?.advance();
     this.#casters?.follow(seen.meshes, this.alphaTestedCast, this.transparentCast);
+    if (seen.lights.some((light) => light.castShadow && this.#radii.get(light) > 0))
+      this.#masks?.setReceivers(...boxAround(seen.meshes.filter((mesh) => mesh.receiveShadow && !this.#casters.has(mesh))));
     return seen;
   }
 
@@ -199,7 +210,7 @@ export class ExactShadows extends EventTarget {
   }
 
   get #isSettled() {
-    return this.#casters.pending === 0;
+    return this.#casters.pending === 0 && !this.#texels.waits;
   }
 
   /** The state that a frame would show, and when to go on, for Progress. */

@@ -4,7 +4,7 @@
 import { BackSide, Vector2 } from 'three';
 import { bool, float, Fn, frontFacing, If, Loop, min, mix, reference, renderGroup, uniform, vec3 } from 'three/tsl';
 import { ShadowBaseNode } from 'three/webgpu';
-import { lookUp, placeOnTriangle } from './lookup.js';
+import { lookUp, lookUpPoints, placeOnTriangle } from './lookup.js';
 import { MapNodes } from './map-nodes.js';
 import { ownMapOf } from './own-map.js';
 
@@ -16,9 +16,7 @@ export class LightShadowNode extends ShadowBaseNode {
   #casts;
   #isHigher = false; // light.shadow.mapSize, by one texel
   #ownSize = new Vector2();
-
-  /** Whether lookups have tinted triangles: for shaders that are compiled later. */
-  tints = false;
+  #lookups = { cutouts: false, tints: false, soft: false }; // that shaders have
 
   static get type() {
     return 'EdgeshadeLightShadowNode';
@@ -34,6 +32,16 @@ export class LightShadowNode extends ShadowBaseNode {
       return this.#ownSize;
     });
     this.#casts = uniform(0, 'int').onObjectUpdate(({ object }) => (casts(object) ? 1 : 0));
+  }
+
+  /**
+   * What shaders look up that are compiled from now on, cutouts and tints in addition to what they did: {cutouts,
+   * tints; soft: points of a light with a radius}. Returns whether they differ.
+   */
+  require({ cutouts, tints, soft = this.#lookups.soft }) {
+    const before = this.#lookups;
+    this.#lookups = { cutouts: Boolean(before.cutouts || cutouts), tints: Boolean(before.tints || tints), soft };
+    return Object.keys(before).some((name) => before[name] !== this.#lookups[name]);
   }
 
   /**
@@ -54,12 +62,11 @@ export class LightShadowNode extends ShadowBaseNode {
     const intensity = reference('intensity', 'float', this.light.shadow).setGroup(renderGroup);
     return Fn(() => {
       const place = placeOnTriangle();
-      const share = { lit: float(1).toVar(), tint: this.tints ? vec3(1).toVar() : null };
+      const share = { lit: float(1).toVar(), tint: this.#lookups.tints ? vec3(1).toVar() : null, cutouts: this.#lookups.cutouts };
+      const given = { map: this.#map, directional: Boolean(this.light.isDirectionalLight), place, casts: this.#casts.equal(1).toVar(),
+        held: this.#drawsOwn.equal(0), front, share };
       // A loop, since a branch doesn't keep software renderers from sampling a map that isn't there.
-      Loop({ start: 0, end: this.#map.present, type: 'int', condition: '<', name: 'lookup' }, () => {
-        lookUp({ map: this.#map, directional: Boolean(this.light.isDirectionalLight), place,
-          casts: this.#casts.equal(1).toVar(), held: this.#drawsOwn.equal(0), front, share });
-      });
+      Loop({ start: 0, end: this.#map.present, type: 'int', condition: '<', name: 'lookup' }, () => (this.#lookups.soft ? lookUpPoints : lookUp)(given));
       const shown = mix(vec3(1), vec3(share.tint ? share.tint.mul(share.lit) : share.lit), intensity).toVar();
       If(this.#drawsOwn.equal(1), () => { shown.assign(min(shown, vec3(float(this.#own)))); });
       return shown;

@@ -28,17 +28,14 @@ export class LightShadows {
     return mesh.castShadow && passes(mesh, 'every', this.#casts);
   }
 
-  /** `maps`: of RestingLights, by light; `meshes`: all that take part; `tints`: whether some tint the light. */
-  show(lights, maps, meshes, tints) {
+  /** `maps`: of RestingLights, by light; `meshes`: all that take part; `wanted`: of LightShadowNode.require(). */
+  show(lights, maps, meshes, wanted) {
     for (const light of this.#nodes.keys()) if (!lights.includes(light)) this.#drop(light);
     const casting = meshes.filter((mesh) => mesh.castShadow && passes(mesh, 'some', this.#casts));
     const changed = this.#castsChanged(meshes);
     for (const [i, light] of lights.entries()) {
       const entry = this.#nodes.get(light) ?? this.#attach(light);
-      if (tints && !entry.node.tints) {
-        entry.node.tints = true; // from now on
-        compileAgain(light);
-      }
+      if (entry.node.require({ ...wanted, soft: maps[i] ? maps[i].places[1] > 0 : undefined })) compileAgain(light);
       const held = maps[i]?.movers > 0 ? 2 : 1; // of castingOf(): without movers the map holds all that the engine has
       entry.others = maps[i] ? casting.filter((mesh) => this.#castingOf(mesh, light) < held) : casting;
       entry.node.show(maps[i], entry.others, changed);

@@ -3,10 +3,13 @@
 
 import { abs, Break, clamp, cross, dFdx, dFdy, dot, float, floor, If, int, length, Loop, max, positionWorld, screenCoordinate, screenSize, select,
   uint, vec2, vec3 } from 'three/tsl';
+import { isSolid } from './cutouts.js';
 import { floatSum, isAtLeastZero } from './exact-sign.js';
+import { longest } from './map-nodes.js';
+import { pointsLeft } from './points.js';
 
-/** Entries of the longest list, or more; levels of divided texels, or more. */
-const longest = 3072, mostLevels = 64;
+/** Levels of divided texels, or more. */
+const mostLevels = 64;
 
 /** A float's rounding, as a share. */
 const unit = 2 ** -24;
@@ -27,12 +30,13 @@ export function placeOnTriangle() {
 }
 
 /**
- * How far rounding may put a point off its triangle, in map space: `change`, as of placeOnTriangle(), as
- * rasterisers may interpolate from any of the picture's corners. `terms`: sizes that the point is the sum of.
+ * How far rounding may put a point off its triangle, in map space, as a function of roundings of its terms:
+ * `change`, as of placeOnTriangle(), as rasterisers may interpolate from any of the picture's corners. `terms`:
+ * sizes that the point is the sum of.
  */
 function roundingOf([x, y, z], change, terms) {
   const drift = abs(x).mul(change.x).add(abs(y).mul(change.y)).add(abs(z).mul(change.z)).toVar();
-  return max(largest(terms), 1).mul(16).add(largest(drift).mul(8)).mul(unit);
+  return (roundings) => max(largest(terms), 1).mul(roundings).add(largest(drift).mul(8)).mul(unit);
 }
 
 /** The ray of a point, its depth, and its place on its tile. */
@@ -91,40 +95,50 @@ function sidesOf(edges, ray, tints) {
 }
 
 /**
- * How a ray meets a record's triangle: {meets, beside, as of sidesOf(); height: of the point behind its plane;
- * tolerance; next: index of what follows its edges}.
+ * How a ray meets a record's triangle: {meets, beside, as of sidesOf(); behind: where it meets the plane, a depth
+ * or the inverse of its distance as a share of the point's; height: of the point behind the plane; tolerance;
+ * next: index of what follows its edges}.
  */
 function meeting(map, record, ray, point, directional, tints) {
   const first = uint(record).mul(uint(3)).toVar();
   const [a, b, c] = [0, 1, 2].map((i) => map.record(first.add(uint(i))).toVar());
   const behind = a.w.mul(ray.x).add(b.w.mul(ray.y)).add(c.w.mul(ray.z)).toVar();
   const slope = abs(a.w).add(abs(b.w)).add(abs(c.w));
-  return { ...sidesOf([a.xyz, b.xyz, c.xyz], ray, tints), height: (directional ? point.z.sub(behind) : behind.sub(1)).toVar(),
+  return { ...sidesOf([a.xyz, b.xyz, c.xyz], ray, tints), behind, height: (directional ? point.z.sub(behind) : behind.sub(1)).toVar(),
     tolerance: slope.add(1).mul(64 * unit).toVar(), next: first.add(uint(3)) };
 }
 
 /** Multiplies `tint` by a tinted triangle's; a ray on an edge belongs to one of the two neighbours (C38). */
-function takeTint(map, { meets, beside, height, tolerance, next }, tint) {
-  const taken = map.record(next).toVar();
-  const owns = ['x', 'y', 'z'].map((axis) => beside[axis].greaterThan(0).or(taken[axis].greaterThan(0.5))).reduce((all, one) => all.and(one));
-  If(owns.and(height.greaterThan(tolerance)), () => { tint.mulAssign(map.record(uint(taken.w).mul(uint(3))).xyz); });
-  meets.assign(false); // it blocks nothing
+function takeTint({ beside, height, tolerance }, owner, color, tint) {
+  const owns = ['x', 'y', 'z'].map((axis) => beside[axis].greaterThan(0).or(owner[axis].greaterThan(0.5))).reduce((all, one) => all.and(one));
+  If(owns.and(height.greaterThan(tolerance)), () => { tint.mulAssign(color.xyz); });
 }
+
+/** Takes the tint of a triangle that blocks nothing for it, or lets the light through its holes: changes `met`. */
+function takeAlpha(map, met, ray, directional, { tint, cutouts }) {
+  const first = map.record(met.next).toVar(), look = map.record(uint(first.w).mul(uint(3))).toVar();
+  const isTinted = look.w.lessThan(0).toVar();
+  if (tint) If(isTinted, () => { takeTint(met, first, look, tint); });
+  if (tint) met.meets.assign(met.meets.and(isTinted.not()));
+  if (cutouts) If(met.meets, () => { met.meets.assign(isSolid(map, met, first, look, ray, directional)); });
+}
+
+/** Whether a texel lists no triangle for a point; `casts`: as in askList(). */
+const isEmpty = (header, casts) => header.y.equal(0).or(casts.and(header.y.greaterThan(floor(header.y))));
 
 /**
  * Makes `lit` 0 where a listed triangle blocks the ray to the point (C35); with a `tint`, multiplies that by
  * the tints of those before the point.
  */
-function askList(map, header, { ray, depth }, point, directional, casts, { lit, tint }) {
+function askList(map, header, { ray, depth }, point, directional, casts, { lit, tint, cutouts }) {
   const list = floor(header.y).toVar();
-  const isEmpty = header.y.equal(0).or(casts.and(header.y.greaterThan(list)));
   const own = float(0).toVar(), distance = float(1e30).toVar(), foremost = float(-1e30).toVar(), apart = float(0).toVar();
-  Loop({ start: int(0), end: select(isEmpty, int(0), int(longest)), type: 'int', condition: '<', name: 'nth' }, ({ nth }) => {
+  Loop({ start: int(0), end: select(isEmpty(header, casts), int(0), int(longest)), type: 'int', condition: '<', name: 'nth' }, ({ nth }) => {
     const entry = map.entry(uint(list).add(uint(nth))).toVar();
-    const number = floor(entry.x).toVar(), isTinted = entry.x.lessThan(0);
-    const met = meeting(map, tint ? select(isTinted, number.add(1).negate(), number) : number, ray, point, directional, Boolean(tint));
+    const number = floor(entry.x).toVar(), hasAlpha = entry.x.lessThan(0); // or a tint
+    const met = meeting(map, tint || cutouts ? select(hasAlpha, number.add(1).negate(), number) : number, ray, point, directional, Boolean(tint));
     const { meets, height, tolerance } = met;
-    if (tint) If(meets.and(isTinted), () => { takeTint(map, met, tint); });
+    if (tint || cutouts) If(meets.and(hasAlpha), () => { takeAlpha(map, met, ray, directional, { tint, cutouts }); });
     If(meets, () => {
       If(height.greaterThan(tolerance), () => {
         lit.assign(0);
@@ -145,31 +159,65 @@ function askList(map, header, { ray, depth }, point, directional, casts, { lit, 
   If(casts.and(foremost.greaterThan(own.add(apart))), () => { lit.assign(0); });
 }
 
-/**
- * Makes `share.lit`, 1, 0 where the light doesn't reach the fragment, and multiplies `share.tint`, if there is
- * one, by tints of triangles before it. `map`: MapNodes; `directional`: the light's kind; `place`: of
- * placeOnTriangle(); `casts`: whether all triangles there are casters, and `held`: in the map; `front`:
- * whether the triangle's front is visible.
- */
-export function lookUp({ map, directional, place: { position, normal, change }, casts, held, front, share }) {
+/** A place in map space: {point, rounding: sizes that it is the sum of, and its drift; across: the triangle, of length 1; towardsEye}. */
+function findOn(map, { position, normal, change }) {
   const [x, y, z, offset] = [0, 1, 2, 3].map((column) => map.mapFromWorld.element(int(column)).xyz.toVar());
   const point = x.mul(position.x).add(y.mul(position.y)).add(z.mul(position.z)).add(offset).toVar();
   const terms = abs(x.mul(position.x)).add(abs(y.mul(position.y))).add(abs(z.mul(position.z))).add(abs(offset)).toVar();
-  const off = roundingOf([x, y, z], change, terms).toVar();
   const across = cross(y, z).mul(normal.x).add(cross(z, x).mul(normal.y)).add(cross(x, y).mul(normal.z)).toVar();
   across.divAssign(max(length(across), 1e-36));
+  return { point, across, rounding: roundingOf([x, y, z], change, terms), towardsEye: map.eye.xyz.sub(map.eye.w.mul(point)).toVar() };
+}
+
+/** Calls act(ray, header) where a point is on a tile: rayOf() it, and headerAt() its place. */
+function texelOf(map, point, directional, act) {
+  const ray = rayOf(map, point, directional);
+  const isOnTile = max(abs(ray.at.x), abs(ray.at.y)).lessThanEqual(1);
+  If(directional ? isOnTile : isOnTile.and(ray.depth.greaterThan(0)), () => act(ray, headerAt(map, ray.at, ray.tile)));
+}
+
+/**
+ * Makes `share.lit`, 1, 0 where the light doesn't reach the fragment, and multiplies `share.tint`, if there is
+ * one, by tints of triangles before it; `share.cutouts`: whether maps may have cutouts. `map`: MapNodes;
+ * `directional`: the light's kind; `place`: of placeOnTriangle(); `casts`: whether all triangles there are
+ * casters, and `held`: in the map; `front`: whether the triangle's front is visible.
+ */
+export function lookUp({ map, directional, place, casts, held, front, share }) {
+  const { point, across, rounding, towardsEye } = findOn(map, place);
+  const off = rounding(16).toVar();
   const lightSide = (directional ? across.z.negate() : dot(across, point).negate()).toVar();
-  const eyeSide = dot(across, map.eye.xyz.sub(map.eye.w.mul(point)));
-  const away = lightSide.mul(eyeSide).lessThan(0).toVar();
+  const away = lightSide.mul(dot(across, towardsEye)).lessThan(0).toVar();
   If(lightSide.lessThan(0), () => { across.assign(across.negate()); });
   point.addAssign(across.mul(select(away, off.mul(-2).sub(256 * unit), off)));
   If(away.and(casts), () => { share.lit.assign(0); }).Else(() => {
-    const ray = rayOf(map, point, directional);
-    const isOnTile = max(abs(ray.at.x), abs(ray.at.y)).lessThanEqual(1);
-    If(directional ? isOnTile : isOnTile.and(ray.depth.greaterThan(0)), () => {
-      const header = headerAt(map, ray.at, ray.tile);
+    texelOf(map, point, directional, (ray, header) => {
       If(ray.depth.greaterThan(header.x), () => { share.lit.assign(0); }).Else(() => {
         askList(map, header, ray, point, directional, casts.and(held).and(front).toVar(), share);
+      });
+    });
+  });
+}
+
+/**
+ * The same for the map of a light with a radius: makes `share.lit` the share of its points that reach the
+ * fragment. The point isn't moved, as the light may be on both sides of its triangle (docs/method.md, C42).
+ */
+export function lookUpPoints({ map, directional, place, casts, held, front, share: { lit } }) {
+  const { point, across, rounding, towardsEye } = findOn(map, place);
+  const error = rounding(64).toVar();
+  const [middle, ...arms] = [0, 1, 2, 3].map((i) => map.place(uint(i)).toVar());
+  const reach = length(vec3(...arms.map((arm) => dot(across, arm.xyz))));
+  const towardsLight = middle.xyz.sub(middle.w.mul(point)).toVar();
+  const lightSide = dot(across, towardsLight).toVar();
+  // Whether all of the light is clearly on one side of the triangle.
+  const whole = casts.and(abs(lightSide).greaterThan(reach.add(length(towardsLight).mul(0.02)).add(error))).toVar();
+  If(whole.and(lightSide.mul(dot(across, towardsEye)).lessThan(0)), () => { lit.assign(0); }).Else(() => {
+    texelOf(map, point, directional, ({ depth }, header) => {
+      If(depth.sub(error).greaterThan(header.x), () => { lit.assign(0); }).Else(() => {
+        const isShort = whole.and(held).and(front).toVar(); // lit sheets needn't be tested
+        const list = { header, depth, isShort, isEmpty: isEmpty(header, isShort).toVar() };
+        const left = pointsLeft(map, list, { point, error, towardsEye, w: middle.w });
+        lit.assign(select(list.isEmpty, float(1), left.div(arms[0].w)));
       });
     });
   });

@@ -2,7 +2,11 @@
 // in the group that three.js updates in every render.
 
 import { DataTexture, FloatType, Matrix4, RGBAFormat, Vector4 } from 'three';
-import { int, ivec2, renderGroup, select, textureLoad, uint, uniform, vec2 } from 'three/tsl';
+import { int, ivec2, nodeObject, renderGroup, select, textureLoad, uint, uniform, vec2 } from 'three/tsl';
+import { TextureNode } from 'three/webgpu';
+
+/** Entries of the longest list, or more. */
+export const longest = 3072;
 
 const shared = (...given) => uniform(...given).setGroup(renderGroup);
 
@@ -16,14 +20,29 @@ function tableOf({ pixels, width, height }) {
   return table;
 }
 
+/** A texture that is never flipped: three.js branches at each texel for others, where it uses WebGL. */
+class TableNode extends TextureNode {
+  static get type() {
+    return 'EdgeshadeTableNode';
+  }
+
+  setupUV(builder, place) {
+    return place;
+  }
+}
+
 export class MapNodes {
-  #table = textureLoad(emptyTable(), ivec2(0));
+  #table = nodeObject(new TableNode(emptyTable()));
   #columnBits = shared(0, 'uint'); // the table's columns are a power of 2
   #entries = shared(0, 'uint');    // texels at which entries begin
   #records = shared(0, 'uint');
 
+  #places = shared(0, 'uint');
+
   /** 1: there is a map; 0: there is none. */
   present = shared(0, 'int');
+  /** Sixteens of the points of a light with a radius. */
+  sixteens = shared(0, 'int');
   /** Texels along a tile's edge. */
   size = shared(1);
   /** 1: a point light with six tiles. */
@@ -44,6 +63,7 @@ export class MapNodes {
     if (!map) return replaced;
     this.#columnBits.value = Math.log2(map.tableSize[0]);
     [this.#entries.value, this.#records.value] = map.begins;
+    [this.#places.value, this.sixteens.value] = map.places;
     this.size.value = map.size;
     this.sixTiles.value = map.kind === 2 ? 1 : 0;
     this.mapFromWorld.value.fromArray(map.mapFromWorld);
@@ -67,6 +87,11 @@ export class MapNodes {
   /** Four numbers of a record; `index`, a uint, counts fours. */
   record(index) {
     return this.#texel(this.#records.add(index));
+  }
+
+  /** Four numbers of the places of a light with a radius; `index`, a uint, counts fours. */
+  place(index) {
+    return this.#texel(this.#places.add(index));
   }
 
   #replaceTable(memory) {

@@ -28,14 +28,28 @@ export const texcoordsNameOf = (material) => `uv${textureOf(material)?.channel |
 export const sameAlpha = (a, b) => a.texture === b.texture && a.channel === b.channel && a.opacity === b.opacity &&
   a.cutoff === b.cutoff && a.cutsOut === b.cutsOut && a.texels === b.texels && a.why === b.why && sameNumbers(a.texcoordTransform, b.texcoordTransform);
 
-export class AlphaTests {
-  #renderer;
-  #reading;
+/** The texture on the GPU as a WebGLRenderer uses it for the next picture, or null. */
+export function uploadedBy(renderer, texture) {
+  const { image, version } = texture;
+  const kept = renderer.properties.get(texture);
+  const waits = version > 0 && kept.__version !== version && !texture.isRenderTargetTexture;
+  if ((waits || texture.isVideoTexture) && image && image.complete !== false) renderer.initTexture(texture);
+  return kept.__webglTexture ?? null;
+}
 
-  /** `reading`: a TexelReading. */
-  constructor(renderer, reading) {
-    this.#renderer = renderer;
+export class AlphaTests {
+  #uploaded;
+  #reading;
+  #otherwise;
+
+  /**
+   * `uploaded(texture)`: what is on the GPU of it for the next picture, or null; `reading`: a
+   * TexelReading; `otherwise`: what meshes do whose texture it can't read, a verb with its object.
+   */
+  constructor(uploaded, reading, otherwise = 'casts nothing') {
+    this.#uploaded = uploaded;
     this.#reading = reading;
+    this.#otherwise = otherwise;
   }
 
   /**
@@ -60,18 +74,9 @@ export class AlphaTests {
 
   #texelsOf({ alphaMap, map }, texture, webGlTexture, channel) {
     const { number, why } = this.#reading.of(texture, webGlTexture, channel);
-    if (number === null || why) return { cutsOut: false, why: why && `casts nothing: ${why}` };
+    if (number === null || why) return { cutsOut: false, why: why && `${this.#otherwise}: ${why}` };
     const other = alphaMap && map && this.#uploaded(map);
     const mapped = other ? this.#reading.of(map, other, 'alpha') : { opaque: true };
     return { texels: number, why: mapped.opaque || mapped.number === null ? '' : "casts the shadow of its alphaMap alone, without its map's alpha" };
-  }
-
-  /** The texture on the GPU as three.js uses it for the next picture, or null. */
-  #uploaded(texture) {
-    const { image, version } = texture;
-    const kept = this.#renderer.properties.get(texture);
-    const waits = version > 0 && kept.__version !== version && !texture.isRenderTargetTexture;
-    if ((waits || texture.isVideoTexture) && image && image.complete !== false) this.#renderer.initTexture(texture);
-    return kept.__webglTexture ?? null;
   }
 }

@@ -2,7 +2,7 @@
 
 import { Matrix4, Vector2, Vector3, Vector4 } from 'three';
 import { mostLights, ShadowMasks } from '../masks/shadow-masks.js';
-import { AlphaTests, alphaTestedCasting } from './alpha-tests.js';
+import { AlphaTests, alphaTestedCasting, uploadedBy } from './alpha-tests.js';
 import { Casters } from './casters.js';
 import { Clippings } from './clippings.js';
 import { CutoutMaps } from './cutout-maps.js';
@@ -118,7 +118,7 @@ export class ExactShadows extends EventTarget {
         this.#masks = masks;
         this.#resetRenderer();
         this.#texels = new TexelReading(renderer, masks, () => this.#resetRenderer());
-        this.#casters = new Casters(masks, new AlphaTests(renderer, this.#texels), new Clippings(renderer), this.#warnings,
+        this.#casters = new Casters(masks, new AlphaTests((texture) => uploadedBy(renderer, texture), this.#texels), new Clippings(renderer), this.#warnings,
           { touched: () => this.#resetRenderer(), failed: (message) => this.#tell(message) });
         this.#views = new MaskViews(renderer, masks, this.#casters, (view, viewport) => this.#show(view, viewport));
         this.#resting = new RestingLights(masks, this.#mostLookedUp, () => this.#resetRenderer());

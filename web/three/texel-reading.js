@@ -4,13 +4,14 @@
 import { ClampToEdgeWrapping, MirroredRepeatWrapping, NearestFilter } from 'three';
 
 /** Limits of ShadowMasks.addTexels(). */
-const full = 4080, mostTexels = 2 ** 24;
+export const full = 4080;
+const mostTexels = 2 ** 24;
 
 /** Frames for which texels are kept that nothing uses. */
-const patience = 300;
+export const patience = 300;
 
 /** Changes of a texture after which it isn't read any more. */
-const mostChanges = 20;
+export const mostChanges = 20;
 
 /** A triangle over all of the picture. */
 const vertexShader = `#version 300 es
@@ -35,10 +36,10 @@ void main() {
 	bytes = vec4( two.x & 255, two.x >> 8, two.y & 255, two.y >> 8 ) / 255.0;
 }`;
 
-const wrapOf = (mode) => (mode === ClampToEdgeWrapping ? 'clamp' : mode === MirroredRepeatWrapping ? 'mirror' : 'repeat');
+export const wrapOf = (mode) => (mode === ClampToEdgeWrapping ? 'clamp' : mode === MirroredRepeatWrapping ? 'mirror' : 'repeat');
 
 /** Why a texture can't be read, a clause; or ''. */
-function obstacleOf(texture) {
+export function obstacleOf(texture) {
   if (texture.isVideoTexture || texture.isRenderTargetTexture || texture.isFramebufferTexture) return 'its texture may change in every frame';
   const { width, height } = texture.image ?? {};
   return width * height <= mostTexels ? '' : 'its texture is larger than 4096 x 4096 texels';

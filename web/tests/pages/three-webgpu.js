@@ -1,11 +1,13 @@
 // Tools for tests of edgeshade/three-webgpu in a page: the same scenes drawn by both renderers.
 
 import * as three from 'three';
-import { RenderTarget, WebGPURenderer } from 'three/webgpu';
+import { float } from 'three/tsl';
+import { MeshBasicNodeMaterial, RenderTarget, WebGPURenderer } from 'three/webgpu';
 import { ExactShadows } from 'edgeshade/three';
 import { ExactShadows as NodeShadows } from 'edgeshade/three-webgpu';
 import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { blobs, leafAtlas, treeOf } from './foliage.js';
 import { comparedWithRays } from './rays.js';
 
 export const size = { width: 320, height: 240 };
@@ -110,19 +112,65 @@ export function panes() {
   return scene;
 }
 
-/** {scene, camera, options: for shadows} by name. */
+/** A tree of leaves on cards, two of them instances, above a ground and a box. */
+export function leaves() {
+  const scene = new three.Scene();
+  scene.add(meshOf(new three.BoxGeometry(8, 0.2, 8), white(), [0, -0.1, 0]), meshOf(new three.BoxGeometry(0.6, 0.8, 0.6), white(), [-1.9, 0.41, 0.8]),
+    treeOf(white({ map: leafAtlas(), alphaTest: 0.4, side: three.DoubleSide })));
+  return scene;
+}
+
+/** Panes above sheets with holes: linear and mirrored, nearest and clamped, and without a texture. */
+export function sheets() {
+  const scene = panes();
+  const linear = blobs(11, 7, { green: true }), nearest = blobs(64, 48, { seed: 3 });
+  Object.assign(linear, { wrapS: three.MirroredRepeatWrapping, wrapT: three.RepeatWrapping, rotation: 0.4 });
+  linear.repeat.set(1.3, 0.8);
+  linear.offset.set(0.2, -0.3);
+  nearest.magFilter = nearest.minFilter = three.NearestFilter;
+  nearest.wrapS = nearest.wrapT = three.ClampToEdgeWrapping;
+  nearest.repeat.set(0.2, 0.15);
+  const { data } = linear.image;
+  for (let i = 0; i < data.length; i += 4) data[i] = data[i + 1]; // WebGPURenderer takes alphaMap's red
+  const both = { side: three.DoubleSide, alphaTest: 0.45 };
+  const added = (material, place) => {
+    const sheet = meshOf(new three.PlaneGeometry(1.6, 1.6), white({ ...both, ...material }), place);
+    sheet.rotation.set(-1.3, 0.2, 0.3);
+    scene.add(sheet);
+  };
+  added({ alphaMap: linear, opacity: 0.9 }, [1.4, 0.6, 1.2]);
+  added({ map: nearest }, [-1.9, 0.8, -1]);
+  added({ opacity: 0.3 }, [-2, 1.4, 1.9]); // nothing is left of it
+  return scene;
+}
+
+/** The yard, and a pane that receives, and isn't one of the mask engine's meshes. */
+export function softYard() {
+  const { scene } = yard();
+  const pane = meshOf(new three.PlaneGeometry(1.2, 1.2), white({ transparent: true, side: three.DoubleSide }), [-0.4, 0.5, 2]);
+  pane.rotation.set(-1.5, 0, 0.3);
+  pane.castShadow = false;
+  scene.add(pane);
+  return scene;
+}
+
+/** {scene, camera, options: of lookedUp()} by name. */
 export async function sceneOf(name) {
+  if (name === 'soft yard') return { scene: softYard(), camera: cameraOf(yardView), options: { lightSamples: 16, radius: 0.15, at: { width: 120, height: 90 } } };
+  if (name === 'leaves') return { scene: leaves(), camera: cameraOf(yardView) };
+  if (name === 'sheets') return { scene: sheets(), camera: cameraOf(yardView), options: { transparentCast: 'tint' } };
   if (name === 'panes') return { scene: panes(), camera: cameraOf(yardView), options: { transparentCast: 'tint' } };
   if (name === 'pavilion') return { scene: await pavilion(), camera: cameraOf({ from: [-2.6, 3.6, 10.2], to: [0.2, 1.3, -0.2] }) };
   return { scene: name === 'instances' ? posts() : yard().scene, camera: cameraOf(yardView) };
 }
 
-/** Draws until as many lights are looked up, for at most 20 seconds. Returns their number. */
+/** Draws until as many lights are looked up with all casters, for at most 20 seconds. Returns their number. */
 export async function rested(shadows, scene, camera, lights = 1) {
   shadows.render(scene, camera);
   await shadows.ready();
   shadows.render(scene, camera);
-  for (const since = performance.now(); shadows.cost.lookedUp !== lights && performance.now() - since < 20000;) {
+  const isWhole = () => shadows.cost.lookedUp === lights && !shadows.needsUpdate && !shadows.lights.some(({ method }) => method === 'lookup and movers');
+  for (const since = performance.now(); !isWhole() && performance.now() - since < 20000;) {
     await new Promise((resolve) => { setTimeout(resolve, 100); });
     shadows.render(scene, camera);
   }
@@ -147,10 +195,11 @@ export async function redOf(renderer, draw) {
 /** Shadows for a renderer, by its kind. */
 export const shadowsOf = (renderer, options) => (renderer.isWebGLRenderer ? new ExactShadows(renderer, options) : new NodeShadows(renderer, options));
 
-/** A picture with all lights looked up: {lookedUp, red, methods}. */
-export async function lookedUp(backend, scene, camera, { lights = 1, ...options } = {}) {
-  const renderer = await rendererOf(backend);
+/** A picture of the size `at` with all lights looked up, `options` for their shadows: {lookedUp, red, methods}. */
+export async function lookedUp(backend, scene, camera, { lights = 1, radius = 0, at = size, ...options } = {}) {
+  const renderer = await rendererOf(backend, at);
   const shadows = shadowsOf(renderer, { lookups: 4, ...options }).add(scene);
+  scene.traverse((light) => { if (light.isLight) shadows.setRadius(light, radius); });
   const found = await rested(shadows, scene, camera, lights);
   const red = await redOf(renderer, () => shadows.render(scene, camera));
   const methods = shadows.lights.map(({ method, reason }) => `${method}: ${reason}`);
@@ -164,8 +213,7 @@ export async function lookedUp(backend, scene, camera, { lights = 1, ...options 
  * {differ: pixels whose light differs, beyond: those with no boundary of the first picture within a pixel,
  * shadow: dark ones, lit, grey} of two pictures.
  */
-export function compared(a, b) {
-  const { width } = size;
+export function compared(a, b, { width } = size) {
   const around = [-1, 0, 1].flatMap((row) => [-1, 0, 1].map((column) => row * width + column));
   let differ = 0, beyond = 0, shadow = 0, lit = 0, grey = 0;
   for (let i = 0; i < a.length; ++i) {
@@ -179,5 +227,5 @@ export function compared(a, b) {
   return { differ, beyond, shadow, lit, grey };
 }
 
-export { comparedWithRays, NodeShadows, three };
+export { comparedWithRays, float, MeshBasicNodeMaterial, NodeShadows, RenderTarget, three };
 window.page = { ready: true };
