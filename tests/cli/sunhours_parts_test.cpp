@@ -156,7 +156,7 @@ TEST_F(SunHoursOfSurfacesInParts, WantsPartsOfOneRun) {
     refuses(Words{"sunhours", scene_, folder_ / "1", folder_ / "2"} + part, 1,
             "a part is one file");
     refuses(Words{"sunhours", scene_, folder_ / "1", "--part", "1/1", "--surfaces", "--grid",
-                  "0.05", "--from", "2026-01-01", "--to", "2026-12-31"} +
+                  "0.04", "--from", "2026-01-01", "--to", "2026-12-31"} +
                 place,
             1, "would exceed 1 GiB; take more parts");
     refuses(Words{"sunhours", scene_, folder_ / "1", "--when"} + part, 1, "--when");
