@@ -4,7 +4,7 @@
 source cmake/sources.sh
 
 web_packages=(emscripten cmake ninja-build dpkg-dev libglm-dev libtinygltf-dev libstb-dev
-    nlohmann-json3-dev)
+    nlohmann-json3-dev libboost-dev)
 web_test_packages=(chromium fonts-dejavu-core)
 
 # build_web: builds the viewer for browsers into build/web.

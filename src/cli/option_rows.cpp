@@ -278,7 +278,7 @@ const std::vector<Option> sunlight = {
     {"--quantity WORD", words({"hours", "direct-kwh"}), "=hours", sunhours,
      "Quantity that surfaces are coloured and reported by",
      "direct-kwh: kWh/m² of the direct beam by the weather file of --epw; no light of the sky."},
-    {"--when", sunhours, "Add the first and the last time of sun to tables"},
+    {"--when", sunhours | merge, "Add the first and the last time of sun to tables"},
     {"--counts OUT.png", "", Where(sunhours | merge, merge),
      "Picture of counted sun positions, 16-bit grey", "Pixels without a surface are clear."},
     {"--part K/N", "", sunhours, "Count every N-th position from the K-th on, for sunhours-merge"},
@@ -322,10 +322,10 @@ const std::vector<Option> measuring = {
      "processor's time on all cores, for a software GL on a busy machine."},
     {"--explain", render,
      "Say what is drawn of the shadow volumes, how and why, and what is left out"},
-    {"--report FILE", "", usual(all & ~(view | sunhours | cities)),
+    {"--report FILE", "", usual(all & ~(view | sunhours | merge | cities)),
      "Write a JSON report; - is standard output"},
-    {"--report FILE", "", usual(sunhours),
-     "Write a JSON report, or with --surfaces a page, .html; - is standard output",
+    {"--report FILE", "", usual(sunhours | merge),
+     "Write a JSON report, or of --surfaces a page, .html; - is standard output",
      "A page has pictures, a table and all settings, for screen and paper."}};
 
 const std::vector<Option> limits = {

@@ -51,14 +51,6 @@ FrameRequest requestOf(const SunHoursOptions& options, const Scene& scene) {
     return request;
 }
 
-std::vector<hours::Position> partOf(const std::vector<hours::Position>& positions,
-                                    std::size_t number, std::size_t of) {
-    std::vector<hours::Position> some;
-    for (std::size_t i = number - 1; i < positions.size(); i += of)
-        some.push_back(positions[i]);
-    return some;
-}
-
 std::vector<glm::dvec3> directionsOf(const std::vector<hours::Position>& positions) {
     std::vector<glm::dvec3> directions;
     for (const hours::Position& position : positions)
@@ -170,7 +162,7 @@ void sunHours(const SunHoursOptions& options) {
     part.scene = hashOf(loaded.scene);
     part.warnings = loaded.scene.warnings.sentences();
     part.positionsOfRun = positions.size();
-    part.positions = partOf(positions, part.number, part.of);
+    part.positions = hours::ofPart(positions, part.number, part.of);
     part.offset = schedule.offset;
 
     ProgressBar bar;

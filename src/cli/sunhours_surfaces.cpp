@@ -2,29 +2,22 @@
 
 #include "preprocess/base/error.hpp"
 #include "preprocess/reading/scene_names.hpp"
-#include "src/cli/number_text.hpp"
 #include "src/cli/report.hpp"
 #include "src/cli/scene_hash.hpp"
 #include "src/cli/sensor_rays.hpp"
 #include "src/cli/surface_choice.hpp"
 #include "src/cli/surface_files.hpp"
+#include "src/cli/surface_results.hpp"
 #include "src/hours/beam.hpp"
-#include "src/hours/surfaces/bits_npy.hpp"
 #include "src/hours/surfaces/division.hpp"
 #include "src/hours/surfaces/left_out_cells.hpp"
-#include "src/hours/surfaces/surface_report.hpp"
+#include "src/hours/surfaces/surface_part_file.hpp"
 #include "src/hours/surfaces/windows.hpp"
 
-#include <algorithm>
-#include <cstdio>
+#include <tuple>
 
 namespace edgeshade::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-/// Days from which tables have columns by month.
-constexpr std::size_t daysOfYear = 365;
 
 /// Shares of the progress bar at which stages begin.
 constexpr double raysFrom = 0.05, filesFrom = 0.95;
@@ -60,86 +53,62 @@ void addNames(const LoadedScene& loaded, hours::SurfaceRun& run) {
     }
 }
 
-hours::LightQuestion questionOf(const SunHoursOptions& options, const hours::Schedule& schedule,
-                                const hours::SurfaceRun& run, const std::vector<double>& beam) {
-    hours::LightQuestion question;
-    question.normalIrradiance = beam;
-    question.positions = run.positions;
-    question.step = schedule.step;
-    question.offset = schedule.offset;
-    question.months = schedule.days() >= daysOfYear;
-    question.bits =
-        run.ofWindows || std::ranges::any_of(options.files.all(), [](const std::string& path) {
-            return surfaceFileOf(path) == SurfaceFile::npy;
-        });
-    const std::size_t rows = run.cells.cells.size(),
-                      bytes = hours::bytesOfRow(run.positions.size());
-    if (question.bits && bytes > 0 && rows > hours::mostBytesOfBits / bytes)
+void requireSize(const hours::SurfacePart& part) {
+    if (hours::bytesOfPart(part.run.cells, part.scene.size(), part.run.positions.size()) >
+        hours::mostBytesOfPart)
+        throw Error(ExitStatus::usage, "--part: " + std::to_string(part.run.cells.cells.size()) +
+                                           " cells and " +
+                                           std::to_string(part.run.positions.size()) +
+                                           " sun positions would exceed 1 GiB; take more parts or "
+                                           "a larger --grid.");
+}
+
+/// Writes a part's file.
+void writePart(const SunHoursOptions& options, const hours::SurfacePart& part) {
+    const std::string& path = options.files.picture;
+    writeFile(path, std::string_view(hours::textOf(part)));
+    printResult(path + ": part " + std::to_string(part.number) + " of " + std::to_string(part.of) +
+                    ", " + std::to_string(part.run.cells.cells.size()) + " cells, " +
+                    std::to_string(part.run.positions.size()) + " of " +
+                    std::to_string(part.positionsOfRun) + " sun positions",
+                "");
+}
+
+/// Throws Error(usage) for names that the files of a run, or its part, can't have.
+void requireNames(const SunHoursOptions& options) {
+    if (!options.part) {
+        for (const std::string& path : options.files.all())
+            surfaceFileOf(path);
+        return;
+    }
+    if (!options.files.more.empty())
         throw Error(ExitStatus::usage,
-                    "OUT: the .npy file of " + std::to_string(rows) + " cells and " +
-                        std::to_string(run.positions.size()) +
-                        " sun positions would exceed 4 GiB; take a larger --grid or a longer "
-                        "--step.");
-    return question;
-}
-
-/// "; 12 cells (3 m²) inside solids left out"; empty: there are none.
-std::string leftOutText(const Json& of, const char* where) {
-    if (of["cells"] == 0) return "";
-    return "; " + std::to_string(of["cells"].get<std::size_t>()) + " cells (" +
-           shortText(of["area"].get<double>()) + " m²) " + where + " left out";
-}
-
-std::string summaryOf(const hours::SurfaceRun& run, const Json& report) {
-    char text[240];
-    std::snprintf(text, sizeof text,
-                  ": %zu %s on %.6g m², %zu sun positions, UTC%s; hours of sun %.4g to %.4g, "
-                  "mean %.4g",
-                  run.cells.cells.size(), run.ofWindows ? "windows" : "cells",
-                  report["area"].get<double>(), run.positions.size(),
-                  sun::textOf(run.offset).c_str(), report["hours"]["min"].get<double>(),
-                  report["hours"]["max"].get<double>(), report["hours"]["mean"].get<double>());
-    std::string all = text;
-    if (report.contains("direct_kwh")) {
-        const Json& energy = report["direct_kwh_per_m2"];
-        std::snprintf(text, sizeof text,
-                      "; direct beam alone %.4g to %.4g kWh/m², mean %.4g, %.6g kWh in all",
-                      energy["min"].get<double>(), energy["max"].get<double>(),
-                      energy["mean"].get<double>(), report["direct_kwh"].get<double>());
-        all += text;
-    }
-    if (report.contains("area_above_threshold_percent")) {
-        std::snprintf(text, sizeof text, "; the threshold is met on %.1f %% of the area",
-                      report["area_above_threshold_percent"].get<double>());
-        all += text;
-    }
-    if (report.contains("rule"))
-        all += "; " + std::to_string(report["rule"]["passing"].get<std::size_t>()) + " of " +
-               std::to_string(report["rule"]["checks"].size()) + " " +
-               report["rule"]["of"].get<std::string>() + " pass";
-    return all + leftOutText(report["inside_solids"], "inside solids") +
-           leftOutText(report["within_others"], "on others");
+                    "OUT: a part is one file; sunhours-merge writes the others.");
+    if (isSurfaceFile(options.files.picture))
+        throw Error(ExitStatus::usage, "OUT: '" + options.files.picture +
+                                           "' is to be a part's file, which can't end in .glb, "
+                                           ".csv or .npy; sunhours-merge writes these.");
 }
 
 } // namespace
 
 void sunHoursOfSurfaces(const SunHoursOptions& options) {
-    for (const std::string& path : options.files.all())
-        surfaceFileOf(path);
+    requireNames(options);
     if (options.by == SunHoursBy::masks)
         throw Error(ExitStatus::usage,
                     "--by masks does not go with --surfaces, which only rays can measure.");
     const hours::Schedule schedule = options.schedule();
-    hours::SurfaceRun run;
+    hours::SurfacePart part;
+    std::tie(part.number, part.of) =
+        options.part.value_or(std::pair<std::size_t, std::size_t>(1, 1));
+    hours::SurfaceRun& run = part.run;
     run.positions = hours::positionsOf(schedule);
     run.step = schedule.step;
     run.offset = schedule.offset;
     run.unit = options.surface.unit;
     run.ofWindows = !options.surface.windows.empty();
-
-    const std::vector<double> beam = options.surface.quantity == Quantity::directKwh
-                                         ? hours::beamOf(*options.weather, run.positions, run.step)
-                                         : std::vector<double>();
+    if (options.surface.quantity == Quantity::directKwh)
+        part.beam = hours::beamOf(*options.weather, run.positions, run.step);
 
     const LoadedScene loaded = options.loadForHours(schedule, run.positions, true);
     ProgressBar bar;
@@ -153,30 +122,32 @@ void sunHoursOfSurfaces(const SunHoursOptions& options) {
     run.version = EDGESHADE_VERSION;
     run.files = filesJson(*loaded.document, options.limits.fileBytes);
     run.warnings = loaded.scene.warnings.sentences();
+    part.scene =
+        hours::worldTriangles(loaded.scene, [](std::uint32_t, std::uint32_t) { return true; });
+    part.positionsOfRun = run.positions.size();
 
+    std::vector<double> beam = part.beam;
+    const bool bits = options.part || keepsBits(options.files);
+    if (options.part) {
+        run.positions = hours::ofPart(run.positions, part.number, part.of);
+        beam.clear(); // merging sums the energy
+        requireSize(part);
+    } else {
+        requireBitsFit(options.files, run.cells.cells.size(), run.positions.size());
+    }
     const std::string doing = std::to_string(run.cells.cells.size()) + " cells, " +
                               std::to_string(run.positions.size()) + " sun positions";
-    run.light = hours::lightOf(run.cells, questionOf(options, schedule, run, beam),
-                               sensorLight(loaded), [&](double share) {
+    run.light = hours::lightOf(run.cells, hours::questionOf(run, schedule.days(), beam, bits),
+                               light, [&](double share) {
                                    bar.show(raysFrom + (filesFrom - raysFrom) * share,
                                             "tracing rays to " + doing, "tracing rays to " + doing);
                                });
-
     bar.show(filesFrom, "making files");
-    // Make everything before writing anything.
-    const hours::HoursSettings settings =
-        hours::hoursSettings(JsonField(options.input, run.settings, "settings"));
-    const Json report = hours::surfaceReportOf(run, settings);
-    std::vector<MadeFile> files;
-    for (const std::string& path : options.files.all())
-        files.push_back(makeSurfaceFile(path, run, options.surface.when));
-    if (isPage(options.files.report))
-        files.push_back(makePage(options.files.report, run, settings, report, loaded.scene));
-    for (const MadeFile& file : files)
-        writeFile(file.path, file.bytes);
+    if (options.part)
+        writePart(options, part);
+    else
+        writeSurfaces(part, options.input, options.files, options.surface.when);
     bar.show(1.0, "done");
-    printResult(options.files.picture + summaryOf(run, report), options.files.report);
-    if (!isPage(options.files.report)) writeReport(report, options.files.report);
 }
 
 } // namespace edgeshade::cli

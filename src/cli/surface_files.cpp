@@ -37,13 +37,17 @@ Bytes bytesOf(std::string_view text) {
 
 } // namespace
 
+bool isSurfaceFile(const std::string& path) {
+    return path.ends_with(".glb") || path.ends_with(".csv") || path.ends_with(".npy");
+}
+
 SurfaceFile surfaceFileOf(const std::string& path) {
+    if (!isSurfaceFile(path))
+        throw Error(ExitStatus::usage, "OUT: '" + path +
+                                           "' ends neither in .glb nor .csv nor .npy, the files of "
+                                           "--surfaces.");
     if (path.ends_with(".glb")) return SurfaceFile::glb;
-    if (path.ends_with(".csv")) return SurfaceFile::csv;
-    if (path.ends_with(".npy")) return SurfaceFile::npy;
-    throw Error(ExitStatus::usage, "OUT: '" + path +
-                                       "' ends neither in .glb nor .csv nor .npy, the files of "
-                                       "--surfaces.");
+    return path.ends_with(".csv") ? SurfaceFile::csv : SurfaceFile::npy;
 }
 
 MadeFile makeSurfaceFile(const std::string& path, const hours::SurfaceRun& run, bool when) {
@@ -63,11 +67,9 @@ bool isPage(const std::string& reportPath) {
 
 MadeFile makePage(const std::string& path, const hours::SurfaceRun& run,
                   const hours::HoursSettings& settings, const nlohmann::ordered_json& report,
-                  const Scene& scene) {
-    const std::vector<hours::WorldTriangle> all =
-        hours::worldTriangles(scene, [](std::uint32_t, std::uint32_t) { return true; });
+                  std::span<const hours::WorldTriangle> scene) {
     return {path,
-            bytesOf(hours::htmlOf(run, settings, report, all, {plot::evenColor, mostOf(run)}))};
+            bytesOf(hours::htmlOf(run, settings, report, scene, {plot::evenColor, mostOf(run)}))};
 }
 
 } // namespace edgeshade::cli

@@ -12,6 +12,9 @@ namespace edgeshade::cli {
 /// Kinds of files of surfaces, by the ends of their names.
 enum class SurfaceFile { glb, csv, npy };
 
+/// Whether the name ends as one of them.
+bool isSurfaceFile(const std::string& path);
+
 /// Throws Error(usage) for any other end, naming OUT.
 SurfaceFile surfaceFileOf(const std::string& path);
 
@@ -28,9 +31,9 @@ MadeFile makeSurfaceFile(const std::string& path, const hours::SurfaceRun& run, 
 /// Whether a report of that name is a page.
 bool isPage(const std::string& reportPath);
 
-/// The report as a page; see hours::htmlOf(). `scene`: all of it.
+/// The report as a page; see hours::htmlOf(). `scene`: all triangles.
 MadeFile makePage(const std::string& path, const hours::SurfaceRun& run,
                   const hours::HoursSettings& settings, const nlohmann::ordered_json& report,
-                  const Scene& scene);
+                  std::span<const hours::WorldTriangle> scene);
 
 } // namespace edgeshade::cli

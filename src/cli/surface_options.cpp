@@ -6,13 +6,26 @@ namespace edgeshade::cli {
 namespace {
 
 /// Options of pictures and of shadow volumes, which surfaces have no use for.
-constexpr const char* ofPictures[] = {"--weld-tolerance", "--flat-tolerance", "--caster-error",
-                                      "--size",           "--camera",         "--camera-from",
-                                      "--camera-to",      "--camera-matrix",  "--fov",
-                                      "--ortho",          "--near",           "--plan",
-                                      "--cull",           "--ground",         "--section",
-                                      "--section-box",    "--section-fill",   "--section-shadows",
-                                      "--counts",         "--part",           "--at",
+constexpr const char* ofPictures[] = {"--weld-tolerance",
+                                      "--flat-tolerance",
+                                      "--caster-error",
+                                      "--size",
+                                      "--camera",
+                                      "--camera-from",
+                                      "--camera-to",
+                                      "--camera-matrix",
+                                      "--fov",
+                                      "--ortho",
+                                      "--near",
+                                      "--plan",
+                                      "--cull",
+                                      "--ground",
+                                      "--section",
+                                      "--section-box",
+                                      "--section-fill",
+                                      "--section-shadows",
+                                      "--counts",
+                                      "--at",
                                       "--gl-limits"};
 
 } // namespace
@@ -40,7 +53,7 @@ void addSurfaceOptions(CLI::App& verb, SurfaceOptions& options) {
     addTexts(verb, "--materials", options.materials)->needs(surfaces);
     addTexts(verb, "--windows", options.windows)->needs(surfaces)->excludes(grid);
     addNumber(verb, "--sill", options.sill)->needs(verb.get_option("--windows"));
-    verb.add_flag("--when", options.when)->needs(surfaces);
+    verb.add_flag("--when", options.when)->needs(surfaces)->excludes(verb.get_option("--part"));
     addWords(verb, "--quantity", options.quantity,
              std::vector{Quantity::hours, Quantity::directKwh})
         ->needs(surfaces)

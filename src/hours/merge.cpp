@@ -1,6 +1,6 @@
 #include "src/hours/merge.hpp"
 
-#include "preprocess/base/error.hpp"
+#include "src/hours/one_run.hpp"
 
 #include <algorithm>
 
@@ -8,37 +8,6 @@ namespace edgeshade::hours {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Throws, as a part's value differs from the first part's.
-[[noreturn]] void failDiffering(const PartOfFile& part, const PartOfFile& first,
-                                const std::string& field, const std::string& value,
-                                const std::string& firstValue) {
-    throw InputError("'" + part.path + "': " + field + " is " + value + ", but in '" + first.path +
-                     "' it is " + firstValue + "; these are not parts of one run.");
-}
-
-void requireSame(const PartOfFile& part, const PartOfFile& first, const std::string& field,
-                 const Json& value, const Json& firstValue) {
-    if (value == firstValue) return;
-    if (value.is_object() && firstValue.is_object()) {
-        for (const auto& [key, inner] : firstValue.items())
-            requireSame(part, first, field + "." + key, value.value(key, Json()), inner);
-        for (const auto& [key, inner] : value.items())
-            requireSame(part, first, field + "." + key, inner, firstValue.value(key, Json()));
-    }
-    failDiffering(part, first, field, value.dump(), firstValue.dump());
-}
-
-template <class T>
-void requireSamePixels(const PartOfFile& part, const PartOfFile& first, const char* field,
-                       const std::vector<T>& pixels, const std::vector<T>& firstPixels) {
-    const auto [here, there] = std::ranges::mismatch(pixels, firstPixels);
-    if (here == pixels.end()) return;
-    failDiffering(part, first,
-                  std::string("pixels.") + field + " of pixel " +
-                      std::to_string(here - pixels.begin()),
-                  std::to_string(*here), std::to_string(*there));
-}
 
 Json probePlaces(const Part& part) {
     Json places = Json::array();
@@ -53,46 +22,37 @@ Json probePlaces(const Part& part) {
 void requireOneRun(const PartOfFile& part, const PartOfFile& first) {
     const Part& a = part.part;
     const Part& b = first.part;
-    requireSame(part, first, "parts", a.of, b.of);
-    requireSame(part, first, "scene", a.scene, b.scene);
-    requireSame(part, first, "settings", a.settings, b.settings);
-    requireSame(part, first, "camera", a.camera, b.camera);
-    requireSame(part, first, "positions_of_run", a.positionsOfRun, b.positionsOfRun);
-    requireSame(part, first, "size", {a.exposure.width, a.exposure.height},
-                {b.exposure.width, b.exposure.height});
-    requireSame(part, first, "probes", probePlaces(a), probePlaces(b));
-    requireSame(part, first, "materials", a.materials, b.materials);
-    requireSame(part, first, "nodes", a.nodes, b.nodes);
-    requireSamePixels(part, first, "surface", a.exposure.surface, b.exposure.surface);
-    requireSamePixels(part, first, "area", a.exposure.area, b.exposure.area);
-    requireSamePixels(part, first, "material", a.exposure.material, b.exposure.material);
-    requireSamePixels(part, first, "node", a.exposure.node, b.exposure.node);
-}
-
-/// The files in the order of their part numbers.
-std::vector<const PartOfFile*> inOrder(const std::vector<PartOfFile>& parts) {
-    std::vector<const PartOfFile*> byNumber(parts.front().part.of, nullptr);
-    for (const PartOfFile& part : parts) {
-        const PartOfFile*& place = byNumber[part.part.number - 1];
-        if (place)
-            throw InputError("'" + part.path + "': part is " + std::to_string(part.part.number) +
-                             ", but '" + place->path + "' already has that number.");
-        place = &part;
-    }
-    const auto missing = std::ranges::find(byNumber, nullptr);
-    if (missing != byNumber.end())
-        throw InputError("'" + parts.front().path + "': parts is " +
-                         std::to_string(byNumber.size()) + ", but part " +
-                         std::to_string(missing - byNumber.begin() + 1) + " is missing.");
-    return byNumber;
+    const OneRun run(part.path, first.path);
+    run.requireSame("parts", a.of, b.of);
+    run.requireSame("scene", a.scene, b.scene);
+    run.requireSame("settings", a.settings, b.settings);
+    run.requireSame("camera", a.camera, b.camera);
+    run.requireSame("positions_of_run", a.positionsOfRun, b.positionsOfRun);
+    run.requireSame("size", {a.exposure.width, a.exposure.height},
+                    {b.exposure.width, b.exposure.height});
+    run.requireSame("probes", probePlaces(a), probePlaces(b));
+    run.requireSame("materials", a.materials, b.materials);
+    run.requireSame("nodes", a.nodes, b.nodes);
+    const auto requirePixels = [&](const char* field, const auto& pixels, const auto& firstPixels) {
+        run.requireSameArrays(std::string("pixels.") + field, "pixel", pixels, firstPixels);
+    };
+    requirePixels("surface", a.exposure.surface, b.exposure.surface);
+    requirePixels("area", a.exposure.area, b.exposure.area);
+    requirePixels("material", a.exposure.material, b.exposure.material);
+    requirePixels("node", a.exposure.node, b.exposure.node);
 }
 
 } // namespace
 
 Part merged(const std::vector<PartOfFile>& parts) {
-    for (const PartOfFile& part : parts)
+    std::vector<NumberedFile> files;
+    for (const PartOfFile& part : parts) {
         requireOneRun(part, parts.front());
-    const std::vector<const PartOfFile*> byNumber = inOrder(parts);
+        files.push_back({part.path, part.part.number});
+    }
+    std::vector<const PartOfFile*> byNumber;
+    for (const std::size_t i : partsInOrder(files, parts.front().part.of))
+        byNumber.push_back(&parts[i]);
 
     Part whole = byNumber.front()->part;
     whole.number = whole.of = 1;
@@ -107,9 +67,7 @@ Part merged(const std::vector<PartOfFile>& parts) {
         const PartOfFile& from = *byNumber[i % byNumber.size()];
         const std::size_t index = i / byNumber.size();
         const Position& position = from.part.positions[index];
-        if (!whole.positions.empty() && position.time <= whole.positions.back().time)
-            throw InputError("'" + from.path + "': positions[" + std::to_string(index) +
-                             "].time is not later than the position before it in the run.");
+        requireLater(position, whole.positions, from.path, index);
         whole.positions.push_back(position);
         for (std::size_t p = 0; p < whole.probes.size(); ++p)
             whole.probes[p].lit.push_back(from.part.probes[p].lit[index]);

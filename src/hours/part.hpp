@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -45,5 +46,9 @@ struct Part {
 /// The number of a part's positions, of `positions`: those with index number - 1, number - 1 + of,
 /// and so on, from 0. This spreads a day's positions, which differ in cost, evenly over the parts.
 std::size_t countOfPart(std::size_t positions, std::size_t number, std::size_t of);
+
+/// These positions.
+std::vector<Position> ofPart(std::span<const Position> positions, std::size_t number,
+                             std::size_t of);
 
 } // namespace edgeshade::hours

@@ -21,6 +21,8 @@ std::string textOf(const Part& part);
 /// Reads a part from a file. Safe on untrusted input. Throws InputError naming file, field and
 /// value for every error: the result satisfies all of Part's rules.
 Part partFrom(const std::filesystem::path& path);
+/// The same, from the file's JSON.
+Part partFrom(const std::filesystem::path& path, const nlohmann::ordered_json& json);
 
 /// A position in the format of parts and reports.
 nlohmann::ordered_json jsonOf(const Position& position, std::chrono::minutes offset);

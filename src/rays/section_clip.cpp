@@ -74,7 +74,7 @@ void SectionClip::add(const SurfaceTriangle& triangle, bool solid,
             return heightOver(plane, corner.inBatch) < 0.0;
         };
         const bool bounds = solid && boundsWhatIsBelow(plane, kept);
-        if (!bounds && std::ranges::none_of(kept, isBelow)) continue;
+        if (!bounds && std::none_of(kept.begin(), kept.end(), isBelow)) continue;
         isWhole = false;
         if (castsWhole_ && triangle.casts) {
             SurfaceTriangle away = triangle;

@@ -356,7 +356,7 @@ TEST_F(SunHoursOfSurfaces, BadUsageIsOneSentence) {
         {{"--size", "9x9"}, "--size"},
         {{"--at", "0,0,0"}, "--at"},
         {{"--counts", "c.png"}, "--counts"},
-        {{"--part", "1/2"}, "--part"},
+        {{"--part", "1/2"}, "can't end in .glb"},
         {{"--by", "masks"}, "--by masks"},
         {{"--caster-error", "0.1"}, "--caster-error"},
         {{"--section", "1,0,0,0"}, "--section"},

@@ -158,6 +158,12 @@ export class Casters {
     return (this.#parts.last(mesh) ?? [mesh]).every((part) => this.#meshes.get(part)?.ids.length > 0);
   }
 
+  /** {part, whole, places} of the meshes that cast with all of their triangles: a part, the mesh that it is
+   * of, and the elements of its matrices, null where it is flat. */
+  get casting() {
+    return [...this.#meshes].filter(([, { casts }]) => casts).map(([part, { whole }]) => ({ part, whole, places: placesOf(part, [0, 0, 0]) }));
+  }
+
   /** Whether some meshes cast what their alpha leaves, where a light is looked up. */
   get cutsOut() {
     return this.#cutsOut;

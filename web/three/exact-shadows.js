@@ -164,6 +164,14 @@ export class ExactShadows extends EventTarget {
     }
   }
 
+  /** Counts hours of sun on an object, under the casters of the last render(). */
+  async sunHours(object, options) {
+    await this.ready();
+    if (!this.#last) throw new Error('sunHours() needs a render() before it, whose meshes cast.');
+    const { sunHours } = await import('./sun-hours.js');
+    return sunHours(object, this.#casters.casting, options);
+  }
+
   /** Whether one more frame would look different, though the scene hasn't changed. */
   get needsUpdate() {
     return this.#progress.needsUpdate;

@@ -90,24 +90,33 @@ std::vector<Sensor> sensorsOf(const SurfaceCells& cells, std::size_t first, std:
     return sensors;
 }
 
-CellLight lightOf(const SurfaceCells& cells, const LightQuestion& question,
-                  const SensorLight& light, const std::function<void(double)>& onShare) {
-    std::vector<glm::dvec3> directions;
-    for (const Position& position : question.positions)
-        directions.push_back(position.direction);
+CellLight lightOf(const SurfaceCells& cells, const LightQuestion& question, const CellBits& bitsOf,
+                  const std::function<void(double)>& onShare) {
     Measuring measuring(cells, question);
     const std::size_t count = cells.cells.size();
-    const std::size_t block = std::clamp<std::size_t>(
-        bitsOfBlock / std::max<std::size_t>(directions.size(), 1), 64, std::size_t{1} << 14);
+    const std::size_t block =
+        std::clamp<std::size_t>(bitsOfBlock / std::max<std::size_t>(question.positions.size(), 1),
+                                64, std::size_t{1} << 14);
     for (std::size_t first = 0; first < count; first += block) {
         onShare(static_cast<double>(first) / static_cast<double>(count));
         const std::size_t end = std::min(first + block, count);
-        const rays::LitBits bits = light(sensorsOf(cells, first, end), directions);
+        const rays::LitBits bits = bitsOf(first, end);
         for (std::size_t i = first; i < end; ++i)
             measuring.add(i, bits.of(i - first));
     }
     onShare(1.0);
     return measuring.result();
+}
+
+CellLight lightOf(const SurfaceCells& cells, const LightQuestion& question,
+                  const SensorLight& light, const std::function<void(double)>& onShare) {
+    std::vector<glm::dvec3> directions;
+    for (const Position& position : question.positions)
+        directions.push_back(position.direction);
+    return lightOf(cells, question, CellBits([&](std::size_t first, std::size_t end) {
+                       return light(sensorsOf(cells, first, end), directions);
+                   }),
+                   onShare);
 }
 
 } // namespace edgeshade::hours

@@ -39,8 +39,15 @@ inline std::size_t bytesOfRow(std::size_t positions) {
 /// The sensors of cells [first, end).
 std::vector<Sensor> sensorsOf(const SurfaceCells& cells, std::size_t first, std::size_t end);
 
+/// Light of cells [first, end) from all positions.
+using CellBits = std::function<rays::LitBits(std::size_t first, std::size_t end)>;
+
 /// Measures all cells, those left out too. `onShare` is called with the share that is done. Memory
 /// grows with the cells, and with the positions only for bits.
+CellLight lightOf(const SurfaceCells& cells, const LightQuestion& question, const CellBits& bitsOf,
+                  const std::function<void(double)>& onShare);
+
+/// The same by light at sensors.
 CellLight lightOf(const SurfaceCells& cells, const LightQuestion& question,
                   const SensorLight& light, const std::function<void(double)>& onShare);
 

@@ -46,7 +46,8 @@ class PatchGrid {
         measure();
         for (const std::uint32_t triangle : patch_.triangles)
             divide(triangle);
-        std::ranges::stable_sort(pieces_, {}, &Piece::cell);
+        std::stable_sort(pieces_.begin(), pieces_.end(),
+                         [](const Piece& a, const Piece& b) { return a.cell < b.cell; });
         for (std::size_t first = 0; first < pieces_.size();) {
             std::size_t end = first;
             while (end < pieces_.size() && pieces_[end].cell == pieces_[first].cell)
@@ -206,7 +207,9 @@ class PatchGrid {
             piece = pieceAt(pieces, place);
         }
         if (!piece) {
-            piece = &*std::ranges::max_element(pieces, {}, &Piece::area);
+            piece =
+                &*std::max_element(pieces.begin(), pieces.end(),
+                                   [](const Piece& a, const Piece& b) { return a.area < b.area; });
             place = centerOf(piece->polygon);
         }
         const PlanePolygon triangle = polygonOf(piece->triangle);

@@ -81,12 +81,12 @@ class BatchMesh {
             if (other.node != model.node || other.material != model.material || !(areas[t] > 0.0) ||
                 glm::dot(normalOf(other), patch.normal) <= 0.0)
                 return false;
-            return std::ranges::all_of(
-                std::array{other.a, other.b, other.c}, [&](const glm::dvec3& corner) {
-                    const glm::dvec3 way = corner - patch.origin;
-                    const double allowed = rounding_ * (1.0 + glm::length(way) / height);
-                    return std::abs(glm::dot(way, patch.normal)) <= std::min(allowed, flatness_);
-                });
+            const std::array corners = {other.a, other.b, other.c};
+            return std::all_of(corners.begin(), corners.end(), [&](const glm::dvec3& corner) {
+                const glm::dvec3 way = corner - patch.origin;
+                const double allowed = rounding_ * (1.0 + glm::length(way) / height);
+                return std::abs(glm::dot(way, patch.normal)) <= std::min(allowed, flatness_);
+            });
         };
         std::vector<std::uint32_t> members = {seed};
         taken[seed] = 1;

@@ -35,4 +35,9 @@ struct SurfaceRun {
     bool isCounted(std::size_t cell) const { return cells.cells[cell].state == CellState::counted; }
 };
 
+/// The measurement of a run's positions. `days`: of the run; `beam`: W/m² by position, empty: none.
+/// Keeps every bit if `bits`, and for windows.
+LightQuestion questionOf(const SurfaceRun& run, std::size_t days, std::span<const double> beam,
+                         bool bits);
+
 } // namespace edgeshade::hours

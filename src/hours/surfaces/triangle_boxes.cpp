@@ -31,7 +31,8 @@ TriangleBoxes::TriangleBoxes(std::span<const WorldTriangle> triangles, double ma
         triangles_.push_back(t);
         codes.push_back(mortonCode(boxOf(triangles[t]).center(), all));
     }
-    std::ranges::stable_sort(triangles_, {}, [&](std::uint32_t t) { return codes[t]; });
+    std::stable_sort(triangles_.begin(), triangles_.end(),
+                     [&](std::uint32_t s, std::uint32_t t) { return codes[s] < codes[t]; });
     for (std::size_t item = 0; item < triangles_.size(); ++item) {
         const Box box = boxOf(triangles[triangles_[item]]);
         const glm::dvec3 room =

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "src/hours/surfaces/surface_run.hpp"
+
+namespace edgeshade::hours {
+
+/// Light at all cells of a run from some of its sun positions; a whole run is part 1 of 1.
+struct SurfacePart {
+    std::size_t number = 1, of = 1; ///< 1 <= number <= of
+    std::size_t positionsOfRun = 0; ///< at most mostPositions
+    /// Positions and light are the part's: every of-th position of the run; see countOfPart(). A
+    /// part has bits of light alone.
+    SurfaceRun run;
+    std::vector<double> beam; ///< W/m² by position of the whole run; empty: no energy
+    /// All triangles of the scene; the cells' are some of them, in that order.
+    std::vector<WorldTriangle> scene;
+};
+
+} // namespace edgeshade::hours

@@ -1,0 +1,218 @@
+#include "web/hours/hours_counter.hpp"
+
+#include "preprocess/base/vectors.hpp"
+#include "src/hours/schedule.hpp"
+#include "src/hours/surfaces/cell_light.hpp"
+#include "src/hours/surfaces/division.hpp"
+#include "src/hours/surfaces/left_out_cells.hpp"
+#include "src/sun/direction.hpp"
+#include "src/sun/local_time.hpp"
+#include "web/sentence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+namespace edgeshade::web {
+namespace {
+
+/// Materials of all meshes: one casts, and one doesn't.
+constexpr std::size_t casting = 0, notCasting = 1;
+
+/// Rays between two reports.
+constexpr std::size_t raysOfStep = std::size_t{1} << 18;
+
+template <class T>
+const T* at(std::uintptr_t address) {
+    return reinterpret_cast<const T*>(address);
+}
+
+template <class T>
+emscripten::val viewOfAll(const std::vector<T>& values) {
+    return emscripten::val(emscripten::typed_memory_view(values.size(), values.data()));
+}
+
+void append(const glm::dvec3& vector, std::vector<double>& to) {
+    to.insert(to.end(), {vector.x, vector.y, vector.z});
+}
+
+} // namespace
+
+std::string HoursCounter::setDays(double latitude, double longitude, const std::string& from,
+                                  const std::string& to, const std::string& offset, int step,
+                                  double opens, double closes, double minAltitude, double north) {
+    return sentenceOfFailure([&] {
+        hours::Schedule schedule;
+        schedule.place = sun::placeAt(latitude, longitude);
+        schedule.from = sun::dateFromText(from);
+        schedule.to = sun::dateFromText(to);
+        schedule.offset =
+            offset.empty() ? hours::offsetNear(longitude) : sun::offsetFromText(offset);
+        schedule.step = std::chrono::minutes(step);
+        schedule.opens = std::chrono::minutes(std::lround(60.0 * opens));
+        schedule.closes = std::chrono::minutes(std::lround(60.0 * closes));
+        schedule.minAltitude = minAltitude;
+        schedule.north = north;
+        for (const hours::Position& position : hours::positionsOf(schedule))
+            directions_.push_back(position.direction);
+    });
+}
+
+std::string HoursCounter::setTimes(double latitude, double longitude, std::uintptr_t seconds,
+                                   std::size_t count, double minAltitude, double north) {
+    return sentenceOfFailure([&] {
+        const sun::Place place = sun::placeAt(latitude, longitude);
+        for (std::size_t i = 0; i < count; ++i) {
+            const sun::Instant time{std::chrono::seconds(
+                static_cast<std::int64_t>(std::floor(at<double>(seconds)[i])))};
+            const sun::SunPosition sun = sun::sunPosition(place, time);
+            if (sun.altitude > minAltitude) directions_.push_back(sun::towardsSun(sun, north));
+        }
+    });
+}
+
+std::string HoursCounter::addMesh(std::uintptr_t positions, std::size_t floats,
+                                  std::uintptr_t indices, std::size_t count) {
+    return sentenceOfFailure([&] {
+        Geometry geometry;
+        for (std::size_t i = 0; i + 3 <= floats; i += 3) {
+            const float* const v = at<float>(positions) + i;
+            geometry.positions.emplace_back(v[0] + 0.0f, v[1] + 0.0f, v[2] + 0.0f); // no -0
+        }
+        const auto isSound = [&](std::uint32_t index) {
+            return index < geometry.positions.size() &&
+                   isFinite(glm::dvec3(geometry.positions[index]));
+        };
+        for (std::size_t i = 0; i + 3 <= count; i += 3) {
+            const std::uint32_t* const corners = at<std::uint32_t>(indices) + i;
+            if (std::all_of(corners, corners + 3, isSound))
+                geometry.indices.insert(geometry.indices.end(), corners, corners + 3);
+        }
+        geometry.groups = {{casting, 0, static_cast<std::uint32_t>(geometry.indices.size())}};
+        Batch batch;
+        batch.geometry = CopyOnWrite<Geometry>(std::move(geometry));
+        batch.hidden = true;
+        scene_.batches.push_back(std::move(batch));
+        measured_.push_back(false);
+    });
+}
+
+std::string HoursCounter::place(std::uintptr_t matrix, bool casts, bool measured) {
+    return sentenceOfFailure([&] {
+        // The first place is that of addMesh()'s batch; others share its geometry.
+        if (!scene_.batches.back().hidden) {
+            scene_.batches.push_back(scene_.batches.back());
+            measured_.push_back(false);
+        }
+        Batch& batch = scene_.batches.back();
+        batch.hidden = false;
+        batch.worldFromBatch = glm::make_mat4(at<double>(matrix));
+        batch.placedBy = static_cast<int>(scene_.batches.size()) - 1;
+        const std::size_t material = casts ? casting : notCasting;
+        if (batch.geometry->groups.front().material != material)
+            batch.geometry.edit().groups.front().material = material;
+        measured_.back() = measured;
+    });
+}
+
+void HoursCounter::begin(std::size_t count) {
+    counts_.assign(count, 0);
+    counted_ = 0;
+}
+
+std::string HoursCounter::measureVertices(std::uintptr_t normals) {
+    return sentenceOfFailure([&] {
+        scene_.materials.resize(2);
+        scene_.materials[notCasting].alphaMode = AlphaMode::blend;
+        rays_ = std::make_unique<hours::SensorRays>(scene_, false, false, nullptr);
+        const Batch& batch = scene_.batches.back();
+        // As rays::surfaceTriangles() places corners, so that vertices lie in their planes.
+        const glm::dmat4 place =
+            glm::translate(glm::dmat4(1.0), -rays_->origin()) * batch.worldFromBatch;
+        const glm::dmat3 turned = glm::transpose(glm::inverse(glm::dmat3(batch.worldFromBatch)));
+        for (std::size_t i = 0; i < batch.geometry->positions.size(); ++i) {
+            const glm::dvec3 point(place * glm::dvec4(batch.geometry->positions[i], 1.0));
+            const glm::dvec3 normal =
+                turned * glm::dvec3(glm::make_vec3(at<float>(normals) + 3 * i));
+            vertices_.push_back(rays::SurfacePoint::at(point, normal, rays::SurfacePoint::none));
+        }
+        begin(vertices_.size());
+    });
+}
+
+std::string HoursCounter::measureCells(double width, double offset) {
+    return sentenceOfFailure([&] {
+        scene_.materials.resize(2);
+        scene_.materials[notCasting].alphaMode = AlphaMode::blend;
+        cells_ = hours::cellsOf(scene_,
+                                [&](std::uint32_t node, std::uint32_t) { return measured_[node]; },
+                                {width, offset});
+        hours::markLeftOut(cells_, hours::solidSurfaces(scene_, false));
+        rays_ = std::make_unique<hours::SensorRays>(scene_, false, false, nullptr);
+        for (const hours::Cell& cell : cells_.cells) {
+            append(cell.point, points_);
+            append(cell.normal, normals_);
+            areas_.push_back(cell.area);
+            states_.push_back(static_cast<std::uint8_t>(cell.state));
+            faceCounts_.push_back(cell.faceCount);
+            for (std::uint32_t f = cell.firstFace; f < cell.firstFace + cell.faceCount; ++f) {
+                const hours::CellFace& face = cells_.faces[f];
+                cornerCounts_.push_back(face.cornerCount);
+                for (std::uint32_t i = 0; i < face.cornerCount; ++i)
+                    append(cells_.corners[face.firstCorner + i], corners_);
+            }
+        }
+        begin(cells_.cells.size());
+    });
+}
+
+bool HoursCounter::advance() {
+    if (counted_ == counts_.size() || directions_.empty()) return true;
+    problem_ = sentenceOfFailure([&] {
+        const std::size_t step =
+            std::max<std::size_t>(raysOfStep / directions_.size(), rays::packetSize);
+        const std::size_t end = std::min(counted_ + step, counts_.size());
+        const rays::LitBits bits =
+            vertices_.empty()
+                ? rays_->lit(hours::sensorsOf(cells_, counted_, end), directions_)
+                : rays_->rays().lit(std::span(vertices_).subspan(counted_, end - counted_),
+                                    directions_);
+        for (std::size_t i = counted_; i < end; ++i)
+            counts_[i] = static_cast<std::uint32_t>(bits.count(i - counted_));
+        counted_ = end;
+    });
+    return !problem_.empty() || counted_ == counts_.size();
+}
+
+double HoursCounter::share() const {
+    return counts_.empty() ? 1.0
+                           : static_cast<double>(counted_) / static_cast<double>(counts_.size());
+}
+
+emscripten::val HoursCounter::counts() const {
+    return viewOfAll(counts_);
+}
+emscripten::val HoursCounter::points() const {
+    return viewOfAll(points_);
+}
+emscripten::val HoursCounter::normals() const {
+    return viewOfAll(normals_);
+}
+emscripten::val HoursCounter::areas() const {
+    return viewOfAll(areas_);
+}
+emscripten::val HoursCounter::states() const {
+    return viewOfAll(states_);
+}
+emscripten::val HoursCounter::faceCounts() const {
+    return viewOfAll(faceCounts_);
+}
+emscripten::val HoursCounter::cornerCounts() const {
+    return viewOfAll(cornerCounts_);
+}
+emscripten::val HoursCounter::corners() const {
+    return viewOfAll(corners_);
+}
+
+} // namespace edgeshade::web

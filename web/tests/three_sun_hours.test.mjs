@@ -1,0 +1,241 @@
+// Hours of sun in three.js: the counts of the program's own points and cells, and how calls end.
+
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { useBrowser } from './support/browser.mjs';
+import { program } from './support/native.mjs';
+import { openThree } from './support/three.mjs';
+
+const shared = useBrowser();
+
+const days = { place: [48.14, 11.57], date: '2026-03-21', step: 10, utcOffset: '+01:00' };
+const typedDays = ['--place', '48.14,11.57', '--date', '2026-03-21', '--step', '10', '--utc-offset', '+01:00'];
+
+/**
+ * In the page: a square with a leaning tower, posts at four places and a canopy that casts nothing, whose
+ * numbers are the same in floats and in the program. `meshesOf()` lists their triangles and places.
+ */
+function tools() {
+  const { three: THREE, ExactShadows, rendererOf, cameraOf } = window.page;
+  const renderer = rendererOf({ width: 64, height: 48 });
+  const camera = cameraOf({ from: [9, 8, 12], to: [0, 1, 0], fov: 50 }, 64 / 48);
+  const square = () => {
+    const scene = new THREE.Scene();
+    const material = new THREE.MeshStandardMaterial();
+    const add = (name, mesh, casts = true) => {
+      Object.assign(mesh, { name, castShadow: casts, receiveShadow: true });
+      scene.add(mesh);
+      return mesh;
+    };
+    const ground = add('ground', new THREE.Mesh(new THREE.PlaneGeometry(8, 8, 9, 9).rotateX(-Math.PI / 2), material));
+    const tower = add('tower', new THREE.Mesh(new THREE.BoxGeometry(1.5, 4, 1.25, 2, 4, 2).rotateY(0.4).rotateZ(0.15).translate(0.5, 2.25, -1.5), material));
+    const posts = add('posts', new THREE.InstancedMesh(new THREE.BoxGeometry(0.375, 2, 0.25), material, 4));
+    for (let i = 0; i < 4; ++i) posts.setMatrixAt(i, new THREE.Matrix4().makeTranslation(i - 2.25, 1.125, 1.75 - 0.5 * i));
+    const canopy = add('canopy', new THREE.Mesh(new THREE.PlaneGeometry(3, 2, 2, 2).rotateX(-1.2).translate(-1.5, 2.5, 0.75), material), false);
+    scene.add(Object.assign(new THREE.DirectionalLight(), { castShadow: true }));
+    const shadows = new ExactShadows(renderer).add(scene);
+    shadows.render(scene, camera);
+    return { scene, ground, tower, posts, canopy, shadows };
+  };
+  const meshesOf = (scene) => {
+    scene.updateMatrixWorld();
+    return scene.children.filter(({ isMesh }) => isMesh).map((mesh) => ({
+      name: mesh.name, casts: mesh.castShadow,
+      positions: [...mesh.geometry.attributes.position.array], indices: [...mesh.geometry.index.array],
+      places: mesh.isInstancedMesh ? [...mesh.instanceMatrix.array].filter((_, i) => i % 16 > 11 && i % 16 < 15) : mesh.position.toArray(),
+    }));
+  };
+  window.sunHours = { THREE, renderer, square, meshesOf };
+}
+
+/** A .gltf of meshesOf(); what doesn't cast is BLEND there. */
+function gltfOf(meshes) {
+  const bytes = [];
+  const json = { asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: [] }], nodes: [], meshes: [], accessors: [], bufferViews: [],
+    materials: [{ name: 'casts' }, { name: 'casts nothing', alphaMode: 'BLEND' }] };
+  const accessor = (array, type, extra) => {
+    const view = Buffer.from(array.buffer);
+    json.bufferViews.push({ buffer: 0, byteOffset: bytes.reduce((sum, { length }) => sum + length, 0), byteLength: view.length });
+    bytes.push(view);
+    json.accessors.push({ bufferView: json.bufferViews.length - 1, componentType: type === 'VEC3' ? 5126 : 5125,
+      count: type === 'VEC3' ? array.length / 3 : array.length, type, ...extra });
+    return json.accessors.length - 1;
+  };
+  for (const { name, casts, positions, indices, places } of meshes) {
+    const axes = [0, 1, 2].map((c) => positions.filter((_, i) => i % 3 === c));
+    const bounds = { min: axes.map((of) => Math.min(...of)), max: axes.map((of) => Math.max(...of)) };
+    json.meshes.push({ primitives: [{ attributes: { POSITION: accessor(Float32Array.from(positions), 'VEC3', bounds) },
+      indices: accessor(Uint32Array.from(indices), 'SCALAR'), material: casts ? 0 : 1 }] });
+    for (let i = 0; i < places.length; i += 3) {
+      json.scenes[0].nodes.push(json.nodes.length);
+      json.nodes.push({ name, mesh: json.meshes.length - 1, translation: places.slice(i, i + 3) });
+    }
+  }
+  const all = Buffer.concat(bytes);
+  json.buffers = [{ byteLength: all.length, uri: `data:application/octet-stream;base64,${all.toString('base64')}` }];
+  return JSON.stringify(json);
+}
+
+/** Runs `sunhours` on the meshes; `use(path)` reads its files. */
+function byProgram(meshes, words, use) {
+  const folder = mkdtempSync(join(tmpdir(), 'edgeshade-'));
+  const path = (name) => join(folder, name);
+  try {
+    writeFileSync(path('scene.gltf'), gltfOf(meshes));
+    execFileSync(program, ['sunhours', path('scene.gltf'), ...words(path), ...typedDays], { stdio: 'pipe', timeout: 60000 });
+    return use(path);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+async function withTools(act, given) {
+  const page = await openThree(shared);
+  await page.evaluate(tools);
+  const told = await page.evaluate(([text, value]) => (0, eval)(`(${text})`)(window.sunHours, value), [act.toString(), given]);
+  await shared.check(page);
+  return told;
+}
+
+test('vertices have the hours of sunhours --at', async () => {
+  const told = await withTools(async ({ THREE, square, meshesOf }, options) => {
+    const { scene, shadows, ...objects } = square();
+    const measured = {};
+    for (const name of ['ground', 'tower', 'canopy']) {
+      const mesh = objects[name], { position, normal } = mesh.geometry.attributes;
+      const { hours, counts, positions, possible } = await shadows.sunHours(mesh, options);
+      const placesOf = (attribute) => Array.from({ length: position.count }, (_, i) => new THREE.Vector3().fromBufferAttribute(attribute, i));
+      const places = placesOf(position), normals = placesOf(normal);
+      // On an edge --at's doubles can't tell on which side of the other face a point is: typed points are a hair off all edges.
+      const points = places.map((place, i) => {
+        const face = places.filter((_, other) => normals[other].equals(normals[i]));
+        const middle = face.reduce((sum, one) => sum.add(one), new THREE.Vector3()).divideScalar(face.length);
+        const typed = middle.sub(place).add(normals[i]).multiplyScalar(1e-6).add(place);
+        return [...typed.toArray(), ...normals[i].toArray()];
+      });
+      measured[name] = { points, hours: [...hours.array], counts: [...counts], positions, possible, size: hours.itemSize };
+    }
+    shadows.dispose();
+    return { meshes: meshesOf(scene), measured };
+  }, days);
+  for (const [name, { points, hours, counts, positions, possible, size }] of Object.entries(told.measured)) {
+    const probes = byProgram(told.meshes, (path) => [path('out.png'), '--by', 'rays', '--size', '8x8', '--report', path('report.json'),
+      ...points.flatMap((numbers) => ['--at', numbers.join()])], (path) => JSON.parse(readFileSync(path('report.json'), 'utf8')));
+    assert.equal(size, 1);
+    assert.equal(positions, probes.positions.length, name);
+    assert.ok(Math.abs(possible - probes.possible_hours) < 1e-9);
+    const others = probes.probes.filter((probe, i) => Math.round(probe.hours * 6) !== counts[i]);
+    console.log(name, { points: points.length, lit: counts.reduce((sum, n) => sum + n, 0), others: others.length });
+    assert.deepEqual(others, [], name);
+    assert.ok(hours.every((value, i) => Math.abs(value - counts[i] / 6) < 1e-5));
+    assert.ok(new Set(counts).size > (name === 'canopy' ? 0 : 10), `${name}: the hours differ`);
+  }
+});
+
+test('cells have the hours of sunhours --surfaces', async () => {
+  const told = await withTools(async ({ square, meshesOf, THREE }, options) => {
+    const { scene, shadows, ground, canopy, posts } = square();
+    const measured = {};
+    for (const [name, object] of Object.entries({ ground, canopy, posts })) {
+      const { geometry, origin, cells, counts } = await shadows.sunHours(object, { ...options, grid: 0.5 });
+      const { position, hours } = geometry.attributes, { index } = geometry;
+      const corner = (i) => new THREE.Vector3().fromBufferAttribute(position, index.getX(i)).add(origin);
+      let area = 0, weighted = 0;
+      for (let i = 0; i < index.count; i += 3) {
+        const piece = new THREE.Triangle(corner(i), corner(i + 1), corner(i + 2)).getArea();
+        area += piece;
+        weighted += piece * hours.getX(index.getX(i));
+      }
+      measured[name] = { area, weighted, points: [...cells.points], areas: [...cells.areas], hours: [...cells.hours], leftOut: [...cells.leftOut], counts: [...counts] };
+    }
+    shadows.dispose();
+    return { meshes: meshesOf(scene), measured };
+  }, days);
+  for (const [name, { area, weighted, points, areas, hours, leftOut, counts }] of Object.entries(told.measured)) {
+    const rows = byProgram(told.meshes, (path) => [path('cells.csv'), '--surfaces', '--grid', '0.5', '--nodes', name],
+      (path) => readFileSync(path('cells.csv'), 'utf8').trim().split('\n').map((line) => line.split(',')));
+    const heads = rows.shift(), of = (row, head) => row[heads.indexOf(head)];
+    // Places of one mesh are in another order there.
+    const sorted = (list) => list.map((one) => one.join(' ')).sort();
+    const mine = sorted(counts.map((count, i) => [...points.slice(3 * i, 3 * i + 3).map((x) => Math.round(x * 1e4)), count, leftOut[i]]));
+    const theirs = sorted(rows.map((row) => [...['x', 'y', 'z'].map((axis) => Math.round(of(row, axis) * 1e4)), Math.round(of(row, 'hours') * 6),
+      ['', 'inside', 'within'].indexOf(of(row, 'left_out'))]));
+    console.log(name, { cells: mine.length, others: mine.filter((line, i) => line !== theirs[i]).length });
+    assert.deepEqual(mine, theirs, name);
+    const sum = areas.reduce((total, one) => total + one, 0);
+    assert.ok(Math.abs(area - sum) < 1e-4 * sum);
+    assert.ok(Math.abs(weighted - areas.reduce((total, one, i) => total + one * hours[i], 0)) < 1e-3 * weighted);
+  }
+});
+
+test('calls report progress, can be cancelled, and refuse what they cannot measure', async () => {
+  const told = await withTools(async ({ THREE, square, renderer }, options) => {
+    const { shadows, ground, posts, tower, scene } = square();
+    const told = { shares: [], refused: {} };
+    await shadows.sunHours(ground, { ...options, grid: 0.05, onProgress: (share) => told.shares.push(share) });
+    const leaving = new AbortController();
+    const since = performance.now();
+    told.aborted = await shadows.sunHours(ground, { ...options, grid: 0.02, signal: leaving.signal, onProgress: () => leaving.abort() }).catch(({ name }) => name);
+    told.abortMs = performance.now() - since;
+    told.abortedBefore = await shadows.sunHours(ground, { ...options, signal: AbortSignal.abort() }).catch(({ name }) => name);
+    const refuse = async (name, object, more) => {
+      told.refused[name] = await shadows.sunHours(object, { ...options, ...more }).then(() => '', ({ message }) => message);
+    };
+    await refuse('place', ground, { place: [91, 0] });
+    await refuse('date', ground, { date: undefined });
+    await refuse('day', ground, { date: '2026-02-30' });
+    await refuse('step', ground, { step: 7 });
+    await refuse('hours', ground, { hours: [9, 9] });
+    await refuse('grid', ground, { grid: 0 });
+    await refuse('cells', ground, { grid: 1e-4 });
+    await refuse('instances', posts);
+    await refuse('group', scene);
+    await refuse('normals', new THREE.Mesh(new THREE.BufferGeometry().setAttribute('position', new THREE.BufferAttribute(new Float32Array(9), 3))));
+    const noon = await shadows.sunHours(tower, { ...options, date: undefined, times: [new Date('2026-03-21T12:00+01:00'), new Date('2026-03-21T23:00+01:00')] });
+    told.noon = { positions: noon.positions, lit: Math.max(...noon.counts), dark: Math.min(...noon.counts) };
+    const three = await shadows.sunHours(ground, { ...options, date: ['2026-03-20', '2026-03-22'], hours: [11, 13] });
+    told.three = { positions: three.positions, possible: three.possible };
+    const night = await shadows.sunHours(tower, { ...options, hours: [0, 2] });
+    told.night = { positions: night.positions, most: Math.max(...night.hours.array) };
+    shadows.dispose();
+    const { ExactShadows } = window.page;
+    const idle = new ExactShadows(renderer).add(scene);
+    told.refused.unrendered = await idle.sunHours(ground, options).catch(({ message }) => message);
+    idle.dispose();
+    return told;
+  }, days);
+  console.log(told);
+  assert.ok(told.shares.length > 2 && told.shares.every((share, i) => share > 0 && share <= 1 && share >= (told.shares[i - 1] ?? 0)));
+  assert.equal(told.aborted, 'AbortError');
+  assert.equal(told.abortedBefore, 'AbortError');
+  assert.deepEqual(told.noon, { positions: 1, lit: 1, dark: 0 });
+  assert.deepEqual(told.three, { positions: 36, possible: 6 });
+  assert.deepEqual(told.night, { positions: 0, most: 0 });
+  const said = { place: /latitude/, date: /date must be/, day: /^sunHours\(\): '2026-02-30'.*\.$/, step: /divide/, hours: /clock hours/, grid: /grid must be above 0/,
+    cells: /^sunHours\(\): grid: .*10000000/, instances: /'posts' stands at several places/, group: /no mesh/, normals: /no normals/, unrendered: /needs a render/ };
+  for (const [name, words] of Object.entries(said)) assert.match(told.refused[name], words, name);
+});
+
+test('a page that asks for no hours loads nothing of them', async () => {
+  const page = await openThree(shared);
+  const asked = [];
+  page.on('request', (request) => asked.push(new URL(request.url()).pathname));
+  await page.evaluate(tools);
+  const used = await page.evaluate(async (options) => {
+    const { ground, shadows } = window.sunHours.square();
+    await shadows.ready();
+    const before = performance.getEntriesByType('resource').map(({ name }) => name);
+    await shadows.sunHours(ground, options);
+    const after = performance.getEntriesByType('resource').map(({ name }) => name);
+    shadows.dispose();
+    return { before, after };
+  }, days);
+  assert.ok(!used.before.some((name) => /hours/.test(name)), used.before.join());
+  assert.ok(used.after.some((name) => /three\/sun-hours\.js/.test(name)));
+  assert.ok(asked.some((name) => /edgeshade-hours\.wasm/.test(name)));
+  await shared.check(page);
+});
