@@ -1,6 +1,7 @@
 // Alpha-tested materials of three.js in the mask engine's form.
 
 import { sameNumbers } from './mesh-shape.js';
+import { texcoordsOfTexture, uploadedIn } from './texture-products.js';
 
 /** Choices of how alpha-tested meshes with castShadow cast: in masks, and in lookups. */
 const casting = {
@@ -19,11 +20,11 @@ export function alphaTestedCasting(choice) {
 /** Whether alpha decides where a surface is. */
 export const isAlphaTested = (material) => material.alphaTest > 0;
 
-/** The texture that holds its alpha: alphaMap, with alpha in green, takes precedence over map. */
+/** The texture by whose coordinates its alpha is sampled: alphaMap, with alpha in green, or map. */
 const textureOf = ({ alphaMap, map }) => alphaMap ?? map ?? null;
 
 /** three.js's name of that texture's coordinates. */
-export const texcoordsNameOf = (material) => `uv${textureOf(material)?.channel || ''}`;
+export const texcoordsNameOf = (material) => texcoordsOfTexture(textureOf(material));
 
 export const sameAlpha = (a, b) => a.texture === b.texture && a.channel === b.channel && a.opacity === b.opacity &&
   a.cutoff === b.cutoff && a.cutsOut === b.cutsOut && a.texels === b.texels && a.why === b.why && sameNumbers(a.texcoordTransform, b.texcoordTransform);
@@ -31,23 +32,25 @@ export const sameAlpha = (a, b) => a.texture === b.texture && a.channel === b.ch
 export class AlphaTests {
   #renderer;
   #reading;
+  #products;
 
-  /** `reading`: a TexelReading. */
-  constructor(renderer, reading) {
+  /** `reading`: a TexelReading; `products`: TextureProducts. */
+  constructor(renderer, reading, products) {
     this.#renderer = renderer;
     this.#reading = reading;
+    this.#products = products;
   }
 
   /**
-   * A material's alpha, in the form of ShadowMasks.setAlpha(). `cutsOut`: whether lookups are to have
-   * what it leaves, which they do once its texels are read; `why`: a clause if that isn't exact.
+   * The alpha of a geometry's material, in the form of ShadowMasks.setAlpha(). `cutsOut`: whether lookups are
+   * to have what it leaves, which they do once its texels are read; `why`: a clause if that isn't exact.
    */
-  of(material, cutsOut) {
+  of(material, cutsOut, geometry) {
     const texture = textureOf(material);
     const alpha = { texture: null, channel: 'alpha', opacity: material.opacity, cutoff: material.alphaTest,
       texcoordTransform: [1, 0, 0, 0, 1, 0, 0, 0, 1], cutsOut, texels: null, why: '' };
     if (!texture) return alpha;
-    const webGlTexture = this.#uploaded(texture);
+    const webGlTexture = uploadedIn(this.#renderer, texture);
     if (texture === material.alphaMap) {
       alpha.channel = 'green';
       if (!webGlTexture) alpha.opacity = 0; // fully transparent: three.js samples black for what
@@ -55,23 +58,23 @@ export class AlphaTests {
     }
     if (!webGlTexture) return { ...alpha, cutsOut: false };
     if (texture.matrixAutoUpdate) texture.updateMatrix();
-    return { ...alpha, texture: webGlTexture, texcoordTransform: [...texture.matrix.elements], ...(cutsOut && this.#texelsOf(material, texture, webGlTexture, alpha.channel)) };
+    const single = { texture, webGlTexture, texcoordTransform: [...texture.matrix.elements] };
+    const { waits, product, without } = this.#productOf(material, geometry);
+    const { texture: sampled, ...used } = product ?? single;
+    Object.assign(alpha, { texture: used.webGlTexture, texcoordTransform: used.texcoordTransform });
+    if (!cutsOut) return alpha;
+    const { number, why } = this.#reading.of(sampled, used.webGlTexture, alpha.channel);
+    if (number === null || why || waits) return { ...alpha, cutsOut: false, why: why && `casts nothing: ${why}` };
+    return { ...alpha, texels: number, why: without ? "casts the shadow of its alphaMap alone, without its map's alpha" : '' };
   }
 
-  #texelsOf({ alphaMap, map }, texture, webGlTexture, channel) {
-    const { number, why } = this.#reading.of(texture, webGlTexture, channel);
-    if (number === null || why) return { cutsOut: false, why: why && `casts nothing: ${why}` };
-    const other = alphaMap && map && this.#uploaded(map);
-    const mapped = other ? this.#reading.of(map, other, 'alpha') : { opaque: true };
-    return { texels: number, why: mapped.opaque || mapped.number === null ? '' : "casts the shadow of its alphaMap alone, without its map's alpha" };
-  }
-
-  /** The texture on the GPU as three.js uses it for the next picture, or null. */
-  #uploaded(texture) {
-    const { image, version } = texture;
-    const kept = this.#renderer.properties.get(texture);
-    const waits = version > 0 && kept.__version !== version && !texture.isRenderTargetTexture;
-    if ((waits || texture.isVideoTexture) && image && image.complete !== false) this.#renderer.initTexture(texture);
-    return kept.__webglTexture ?? null;
+  /** {product: of alphaMap and map, if both have alpha; waits: that isn't known yet; without: there can be none}. */
+  #productOf({ alphaMap, map }, geometry) {
+    const webGlTexture = alphaMap && map && uploadedIn(this.#renderer, map);
+    if (!webGlTexture) return {};
+    const { number, opaque, why } = this.#reading.of(map, webGlTexture, 'alpha');
+    if (number !== null && opaque) return {};
+    const product = number === null ? null : this.#products.of(alphaMap, map, geometry);
+    return { product, waits: number === null && !why, without: !product };
   }
 }

@@ -427,7 +427,7 @@ export class Casters {
   /** Sets the alpha of all instances, if it has changed. */
   #setAlpha(mesh, material, had) {
     const { ids, alphas, cutsOut, whole } = had;
-    const alpha = this.#alphaTests.of(material, cutsOut);
+    const alpha = this.#alphaTests.of(material, cutsOut, mesh.geometry);
     const why = cutsOut && !(alphas[0] && sameAlpha(alphas[0], alpha)) && (alpha.why || obstacleOf(mesh));
     if (why) this.#warnings.warn(whole, `Alpha-tested mesh '${whole.name}' ${why}.`);
     for (const [i, id] of ids.entries()) {

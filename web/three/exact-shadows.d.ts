@@ -57,9 +57,8 @@ export interface LightShadow {
  * holds them. A light with a radius is looked up while no caster moves, nor cutouts or tints cast. A caster in the map that starts to move ends it: the light has a mask until a map
  * without that caster is ready.
  *
- * An alpha-tested surface (alphaTest, with the alpha of map or the green of alphaMap; with both,
- * alphaMap's) receives shadow where it is solid, and surfaces seen through its holes have their
- * own. Where a light is looked up it also casts what its alpha leaves; see alphaTestedCast.
+ * An alpha-tested surface (alphaTest, with the alpha of map, the green of alphaMap, or their product)
+ * receives shadow where it is solid, and surfaces seen through its holes have their own. Where a light is looked up it also casts what its alpha leaves; see alphaTestedCast.
  *
  * See-through surfaces (transparent, alphaHash, transmission) receive only the shadows of lights that
  * are looked up. They cast as transparentCast says, or as alphaTestedCast if they are alpha-tested.

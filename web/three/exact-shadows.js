@@ -16,6 +16,7 @@ import { needsMask, RestingLights } from './resting-lights.js';
 import { castingLights } from './scene-lights.js';
 import { requireTransparentCast } from './see-through.js';
 import { TexelReading } from './texel-reading.js';
+import { TextureProducts } from './texture-products.js';
 import { ancestorTakesPart, visibleOf } from './visible-objects.js';
 import { Warnings } from './warnings.js';
 
@@ -45,6 +46,7 @@ export class ExactShadows extends EventTarget {
   #cutouts = null;
   #views = null;
   #texels = null;
+  #products = null;
   #warnings = new Warnings();
   #lookedUp = 0; // number of lights in the last picture
   #lights = [];  // {light: three.js's, numbers: MaskLight} of the last picture
@@ -84,6 +86,7 @@ export class ExactShadows extends EventTarget {
     this.#resting?.forget();
     this.#cutouts?.forget();
     this.#texels?.forget();
+    this.#products?.forget();
     this.#textures.clear();
   };
   #restore = () => {
@@ -118,7 +121,8 @@ export class ExactShadows extends EventTarget {
         this.#masks = masks;
         this.#resetRenderer();
         this.#texels = new TexelReading(renderer, masks, () => this.#resetRenderer());
-        this.#casters = new Casters(masks, new AlphaTests(renderer, this.#texels), new Clippings(renderer), this.#warnings,
+        this.#products = new TextureProducts(renderer, masks, () => this.#resetRenderer());
+        this.#casters = new Casters(masks, new AlphaTests(renderer, this.#texels, this.#products), new Clippings(renderer), this.#warnings,
           { touched: () => this.#resetRenderer(), failed: (message) => this.#tell(message) });
         this.#views = new MaskViews(renderer, masks, this.#casters, (view, viewport) => this.#show(view, viewport));
         this.#resting = new RestingLights(masks, this.#mostLookedUp, () => this.#resetRenderer());
@@ -245,6 +249,7 @@ export class ExactShadows extends EventTarget {
     this.#casters = null;
     this.#resting?.forget();
     this.#resting = null;
+    this.#products?.dispose();
     this.#texels?.dispose();
     this.#texels = null;
     this.#masks?.dispose();
@@ -319,6 +324,7 @@ export class ExactShadows extends EventTarget {
     const { lights, meshes } = visibleOf(scene, camera, this.#rootsOf(scene));
     if (!this.#lost) {
       this.#texels?.advance();
+      this.#products?.advance();
       this.#casters?.follow(meshes, this.alphaTestedCast, this.transparentCast);
       const soft = this.#mostLookedUp > 0 ? lights.filter((light) => light.castShadow && this.#radii.get(light) > 0) : [];
       this.#patches.lookFor({ cutouts: this.#casters?.cutsOut, tints: this.#casters?.tints, soft: soft.length > 0 });

@@ -2,6 +2,7 @@
 // at level 0.
 
 import { ClampToEdgeWrapping, MirroredRepeatWrapping, NearestFilter } from 'three';
+import { bindOn, drawOver, programOver } from './drawing-over.js';
 
 /** Limits of ShadowMasks.addTexels(). */
 const full = 4080, mostTexels = 2 ** 24;
@@ -11,10 +12,6 @@ const patience = 300;
 
 /** Changes of a texture after which it isn't read any more. */
 const mostChanges = 20;
-
-/** A triangle over all of the picture. */
-const vertexShader = `#version 300 es
-void main() { gl_Position = vec4( gl_VertexID == 1 ? 3.0 : - 1.0, gl_VertexID == 2 ? 3.0 : - 1.0, 0.0, 1.0 ); }`;
 
 /** Two alphas a pixel, with two bytes each. */
 const fragmentShader = `#version 300 es
@@ -123,43 +120,20 @@ export class TexelReading {
 
   /** Draws a texture's alpha, and copies the pixels into a buffer. */
   #draw(gl, webGlTexture, channel, columns, rows, buffer) {
-    const program = this.#program ??= this.#compiled(gl);
-    const framebuffer = gl.createFramebuffer(), target = gl.createTexture(), array = gl.createVertexArray();
-    gl.activeTexture(gl.TEXTURE0);
-    gl.bindTexture(gl.TEXTURE_2D, target);
+    const program = this.#program ??= programOver(gl, fragmentShader); // its texture is on unit 0
+    const target = gl.createTexture();
+    bindOn(gl, 0, target);
     gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA8, columns, rows);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
-    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, target, 0);
-    for (const name of ['BLEND', 'CULL_FACE', 'DEPTH_TEST', 'DITHER', 'SCISSOR_TEST', 'STENCIL_TEST', 'SAMPLE_COVERAGE', 'SAMPLE_ALPHA_TO_COVERAGE', 'RASTERIZER_DISCARD'])
-      gl.disable(gl[name]);
-    gl.colorMask(true, true, true, true);
-    gl.viewport(0, 0, columns, rows);
-    gl.bindVertexArray(array);
-    gl.bindTexture(gl.TEXTURE_2D, webGlTexture);
-    gl.bindSampler(0, null);
-    gl.useProgram(program);
-    gl.uniform1i(gl.getUniformLocation(program, 'green'), channel === 'green' ? 1 : 0);
-    gl.uniform1i(gl.getUniformLocation(program, 'columns'), columns);
-    gl.drawArrays(gl.TRIANGLES, 0, 3);
-    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
-    gl.bufferData(gl.PIXEL_PACK_BUFFER, 4 * columns * rows, gl.STREAM_READ);
-    gl.readPixels(0, 0, columns, rows, gl.RGBA, gl.UNSIGNED_BYTE, 0);
-    gl.deleteFramebuffer(framebuffer);
+    drawOver(gl, program, target, [columns, rows], (at) => {
+      bindOn(gl, 0, webGlTexture);
+      gl.uniform1i(at('green'), channel === 'green' ? 1 : 0);
+      gl.uniform1i(at('columns'), columns);
+    }, () => {
+      gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
+      gl.bufferData(gl.PIXEL_PACK_BUFFER, 4 * columns * rows, gl.STREAM_READ);
+      gl.readPixels(0, 0, columns, rows, gl.RGBA, gl.UNSIGNED_BYTE, 0);
+    });
     gl.deleteTexture(target);
-    gl.deleteVertexArray(array);
-  }
-
-  #compiled(gl) {
-    const program = gl.createProgram();
-    for (const [kind, source] of [[gl.VERTEX_SHADER, vertexShader], [gl.FRAGMENT_SHADER, fragmentShader]]) {
-      const shader = gl.createShader(kind);
-      gl.shaderSource(shader, source);
-      gl.compileShader(shader);
-      gl.attachShader(program, shader);
-      gl.deleteShader(shader);
-    }
-    gl.linkProgram(program); // its texture is on unit 0
-    return program;
   }
 
   #finish(gl, entry) {

@@ -40,7 +40,6 @@ export function isHole({ object, ...hit }) {
   const material = Array.isArray(object.material) ? object.material[hit.face.materialIndex] : object.material;
   const { alphaTest, alphaMap, map, opacity } = material;
   if (!(alphaTest > 0)) return false;
-  const texture = alphaMap ?? map;
-  if (!texture) return opacity < alphaTest;
-  return opacity * sampled(texture, texture.channel === 1 ? hit.uv1 ?? hit.uv2 : hit.uv, texture === alphaMap ? 1 : 3) < alphaTest;
+  const at = (texture, channel) => (texture ? sampled(texture, texture.channel === 1 ? hit.uv1 ?? hit.uv2 : hit.uv, channel) : 1);
+  return opacity * at(alphaMap, 1) * at(map, 3) < alphaTest;
 }
