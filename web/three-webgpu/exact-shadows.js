@@ -7,7 +7,7 @@ import { Clippings } from '../three/clippings.js';
 import { Progress } from '../three/progress.js';
 import { RestingLights } from '../three/resting-lights.js';
 import { castingLights } from '../three/scene-lights.js';
-import { isSeeThrough } from '../three/see-through.js';
+import { isSeeThrough, tintObstacleOf, tintOf, tintTexturesOf } from '../three/see-through.js';
 import { ancestorTakesPart, visibleOf } from '../three/visible-objects.js';
 import { Warnings } from '../three/warnings.js';
 import { ShadowMasks } from '../masks/shadow-masks.js';
@@ -25,9 +25,13 @@ function requireChoices(chosen) {
     if (!all.includes(chosen[name])) throw new Error(`${name} is '${chosen[name]}', which is not one of ${all.join(', ')} in edgeshade/three-webgpu.`);
 }
 
-/** Alpha-tested casters' alpha in the form of ShadowMasks.setAlpha(): lookups have whole triangles. */
-const wholeAlpha = { of: ({ opacity, alphaTest }) => ({ texture: null, channel: 'alpha', opacity, cutoff: alphaTest,
-  texcoordTransform: [1, 0, 0, 0, 1, 0, 0, 0, 1], cutsOut: false, texels: null, why: '' }) };
+const texcoordTransform = [1, 0, 0, 0, 1, 0, 0, 0, 1];
+
+/** In place of AlphaTests: lookups have whole triangles, and no textures. */
+const untextured = {
+  of: ({ opacity, alphaTest }) => ({ texture: null, channel: 'alpha', opacity, cutoff: alphaTest, texcoordTransform, cutsOut: false, texels: null, why: '' }),
+  tintOf: ({ geometry, material }) => ({ tint: tintOf(material), texels: null, texcoordTransform, why: tintObstacleOf(geometry, material, tintTexturesOf(material)) }),
+};
 
 /** Milliseconds between steps outside of frames, and between looks at lights that rest. */
 const stepWait = 16, lightWait = 100;
@@ -78,7 +82,7 @@ export class ExactShadows extends EventTarget {
     }
     this.#masks = masks;
     const unclipped = new Clippings({ clippingPlanes: [], localClippingEnabled: false });
-    this.#casters = new Casters(masks, wholeAlpha, unclipped, this.#warnings, { touched() {}, failed: (message) => this.#tell(message) });
+    this.#casters = new Casters(masks, untextured, unclipped, this.#warnings, { touched() {}, failed: (message) => this.#tell(message) });
     this.#resting = new RestingLights(masks, this.#mostLookedUp, () => {});
     this.#progress.invalidate();
   }

@@ -1,6 +1,7 @@
 // Alpha-tested materials of three.js in the mask engine's form.
 
 import { sameNumbers } from './mesh-shape.js';
+import { blends, colourOf, tintObstacleOf, tintOf, tintTexturesOf } from './see-through.js';
 import { texcoordsOfTexture, uploadedIn } from './texture-products.js';
 
 /** Choices of how alpha-tested meshes with castShadow cast: in masks, and in lookups. */
@@ -28,6 +29,8 @@ export const texcoordsNameOf = (material) => texcoordsOfTexture(textureOf(materi
 
 export const sameAlpha = (a, b) => a.texture === b.texture && a.channel === b.channel && a.opacity === b.opacity &&
   a.cutoff === b.cutoff && a.cutsOut === b.cutsOut && a.texels === b.texels && a.why === b.why && sameNumbers(a.texcoordTransform, b.texcoordTransform);
+
+export const sameTint = (a, b) => a.texels === b.texels && sameNumbers(a.tint, b.tint) && sameNumbers(a.texcoordTransform, b.texcoordTransform);
 
 export class AlphaTests {
   #renderer;
@@ -74,7 +77,22 @@ export class AlphaTests {
     if (!webGlTexture) return {};
     const { number, opaque, why } = this.#reading.of(map, webGlTexture, 'alpha');
     if (number !== null && opaque) return {};
-    const product = number === null ? null : this.#products.of(alphaMap, map, geometry);
+    const product = number === null ? null : this.#products.of([alphaMap, map, null], geometry);
     return { product, waits: number === null && !why, without: !product };
+  }
+
+  /**
+   * What a mesh's see-through material lets through: {tint, texels, texcoordTransform} as in ShadowMasks.setTint(),
+   * without its textures until they are read; `why`: a clause if that isn't exact.
+   */
+  tintOf({ geometry, material }) {
+    const plain = { tint: tintOf(material), texels: null, texcoordTransform: [1, 0, 0, 0, 1, 0, 0, 0, 1], why: tintObstacleOf(geometry, material) };
+    const textures = tintTexturesOf(material), present = textures.filter(Boolean);
+    if (present.length === 0 || !present.every((texture) => uploadedIn(this.#renderer, texture))) return plain;
+    const { opacity, transmission = 0 } = material;
+    const product = this.#products.of(textures, geometry, { opacity: blends(material) ? opacity : -1, transmission });
+    const { number, why } = product ? this.#reading.of(product.texture, product.webGlTexture, 'colour') : { number: null, why: 'unlike' };
+    if (number === null) return why ? { ...plain, why: tintObstacleOf(geometry, material, textures) } : plain;
+    return { ...plain, tint: colourOf(material), texels: number, texcoordTransform: product.texcoordTransform };
   }
 }

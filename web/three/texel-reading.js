@@ -1,4 +1,4 @@
-// Alpha of three.js's textures, read back from the GPU as materials sample it: decoded, flipped, and
+// Alpha and colours of three.js's textures, read back from the GPU as materials sample it: decoded, flipped, and
 // at level 0.
 
 import { ClampToEdgeWrapping, MirroredRepeatWrapping, NearestFilter } from 'three';
@@ -13,24 +13,28 @@ const patience = 300;
 /** Changes of a texture after which it isn't read any more. */
 const mostChanges = 20;
 
-/** Two alphas a pixel, with two bytes each. */
+/** Two numbers a pixel, with two bytes each; colours follow one another. */
 const fragmentShader = `#version 300 es
 precision highp float;
 precision highp int;
 uniform highp sampler2D source;
-uniform bool green;
+uniform int channel; // 0 to 3, or 4: red, then green, then blue
 uniform int columns;
 out vec4 bytes;
-int alphaAt( int index ) {
+int numberAt( int index ) {
 	ivec2 size = textureSize( source, 0 );
+	int layer = channel < 4 ? 0 : min( index / ( size.x * size.y ), 2 );
+	index -= layer * size.x * size.y;
 	vec4 texel = texelFetch( source, min( ivec2( index % size.x, index / size.x ), size - 1 ), 0 );
-	return int( clamp( green ? texel.g : texel.a, 0.0, 1.0 ) * ${full}.0 + 0.5 );
+	return int( clamp( texel[ channel < 4 ? channel : layer ], 0.0, 1.0 ) * ${full}.0 + 0.5 );
 }
 void main() {
 	int pair = 2 * ( int( gl_FragCoord.y ) * columns + int( gl_FragCoord.x ) );
-	ivec2 two = ivec2( alphaAt( pair ), alphaAt( pair + 1 ) );
+	ivec2 two = ivec2( numberAt( pair ), numberAt( pair + 1 ) );
 	bytes = vec4( two.x & 255, two.x >> 8, two.y & 255, two.y >> 8 ) / 255.0;
 }`;
+
+const channels = { alpha: 3, green: 1, colour: 4 };
 
 const wrapOf = (mode) => (mode === ClampToEdgeWrapping ? 'clamp' : mode === MirroredRepeatWrapping ? 'mirror' : 'repeat');
 
@@ -44,7 +48,7 @@ function obstacleOf(texture) {
 export class TexelReading {
   #renderer;
   #masks;
-  #kept = { alpha: new Map(), green: new Map() }; // by WebGLTexture: {version, seen, number, opaque, why, reading}
+  #kept = { alpha: new Map(), green: new Map(), colour: new Map() }; // by WebGLTexture: {version, seen, number, opaque, why, reading}
   #frame = 0;
   #readIn = -1; // the last frame in which a reading began
   #program = null;
@@ -68,7 +72,7 @@ export class TexelReading {
 
   /**
    * The texels of an uploaded texture: {number, or null while they are read; opaque: whether all
-   * alpha is 1; why: a clause if they can't be read, or ''}. `channel`: as in setAlpha().
+   * alpha is 1; why: a clause if they can't be read, or ''}. `channel`: of channels.
    */
   of(texture, webGlTexture, channel) {
     const kept = this.#kept[channel];
@@ -107,18 +111,19 @@ export class TexelReading {
   /** Has the GPU copy the texels into a buffer, which the page doesn't wait for. */
   #begin(texture, webGlTexture, channel) {
     const { image: { width, height }, wrapS, wrapT, magFilter } = texture;
-    const columns = width % 2 ? width : width / 2, rows = width % 2 ? Math.ceil(height / 2) : height;
+    const all = (channel === 'colour' ? 3 : 1) * height; // rows of texels
+    const columns = width % 2 ? width : width / 2, rows = width % 2 ? Math.ceil(all / 2) : all;
     const gl = this.#renderer.getContext();
     const buffer = gl.createBuffer();
     this.#masks.keptWhile(() => this.#draw(gl, webGlTexture, channel, columns, rows, buffer));
     this.#touched();
     const sync = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     gl.flush();
-    return { sync, buffer, count: 2 * columns * rows,
+    return { sync, buffer, padded: 2 * columns * rows, count: width * all,
       texels: { width, height, wrapS: wrapOf(wrapS), wrapT: wrapOf(wrapT), filter: magFilter === NearestFilter ? 'nearest' : 'linear' } };
   }
 
-  /** Draws a texture's alpha, and copies the pixels into a buffer. */
+  /** Draws a texture's numbers, and copies the pixels into a buffer. */
   #draw(gl, webGlTexture, channel, columns, rows, buffer) {
     const program = this.#program ??= programOver(gl, fragmentShader); // its texture is on unit 0
     const target = gl.createTexture();
@@ -126,7 +131,7 @@ export class TexelReading {
     gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA8, columns, rows);
     drawOver(gl, program, target, [columns, rows], (at) => {
       bindOn(gl, 0, webGlTexture);
-      gl.uniform1i(at('green'), channel === 'green' ? 1 : 0);
+      gl.uniform1i(at('channel'), channels[channel]);
       gl.uniform1i(at('columns'), columns);
     }, () => {
       gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
@@ -137,8 +142,8 @@ export class TexelReading {
   }
 
   #finish(gl, entry) {
-    const { sync, buffer, version, count, texels } = entry.reading;
-    const alpha = new Uint16Array(count);
+    const { sync, buffer, version, padded, count, texels } = entry.reading;
+    const alpha = new Uint16Array(padded);
     const bound = gl.getParameter(gl.PIXEL_PACK_BUFFER_BINDING);
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
     gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, alpha);
@@ -146,7 +151,7 @@ export class TexelReading {
     gl.deleteBuffer(buffer);
     gl.deleteSync(sync);
     if (entry.number !== null) this.#masks.releaseTexels(entry.number);
-    const whole = alpha.subarray(0, texels.width * texels.height);
+    const whole = alpha.subarray(0, count);
     Object.assign(entry, { version, reading: null, opaque: whole.every((value) => value === full), number: this.#masks.addTexels({ ...texels, alpha: whole }) });
   }
 

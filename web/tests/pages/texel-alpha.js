@@ -19,7 +19,8 @@ function wrapped(place, size, wrap) {
   return rest < size ? rest : period - 1 - rest;
 }
 
-function sampled(texture, uv, channel) {
+/** A channel of a texture at texture coordinates, 0 to 1. */
+export function sampled(texture, uv, channel) {
   const { image, wrapS, wrapT, flipY, magFilter, matrix } = texture;
   const { width, height } = image;
   texture.updateMatrix();

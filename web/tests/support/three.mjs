@@ -41,7 +41,7 @@ export async function inNativeGl(shared, context, act, given = {}, release = und
 export async function inFoliage(shared, act, { release, allowed, given } = {}) {
   const page = await openThree(shared, release);
   const told = await page.evaluate(async ([text, value]) => {
-    const foliage = { ...await import('/tests/foliage.js'), ...await import('/tests/tint-rays.js'), ...await import('/tests/soft-rays.js') };
+    const foliage = { ...await import('/tests/foliage.js'), ...await import('/tests/tint-rays.js'), ...await import('/tests/texel-alpha.js'), ...await import('/tests/soft-rays.js') };
     return (0, eval)(`(${text})`)(window.page, foliage, value);
   }, [act.toString(), given]);
   const { reports } = page;
