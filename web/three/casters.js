@@ -97,6 +97,7 @@ export class Casters {
   #alphaTests;
   #clippings;
   #touched;
+  #displacements;
   #failed;
   #queue;
   #prepared = new Map(); // by key: {number or null while pending, users, origin of its positions, isFar: whether that isn't 0}
@@ -116,10 +117,11 @@ export class Casters {
 
   /**
    * `touched()` is called when the context's state has changed, `failed(sentence)` when a mesh can't
-   * take part.
+   * take part. `displacements`: Displacements, or null for none.
    */
-  constructor(masks, alphaTests, clippings, warnings, { touched, failed }) {
+  constructor(masks, alphaTests, clippings, warnings, { displacements = null, touched, failed }) {
     this.#masks = masks;
+    this.#displacements = displacements;
     this.#warnings = warnings;
     this.#touched = touched;
     this.#failed = failed;
@@ -223,7 +225,8 @@ export class Casters {
 
   /** Whether masks can't show a mesh; warns once of what it lacks. */
   #isLeftOut(part, { casts }, mesh) {
-    const why = whyNotInMasks(part);
+    const why = whyNotInMasks(part) || (part.material.displacementMap ?
+      this.#displacements?.obstacleOf(part) ?? "its material's displacementMap moves vertices in the shader" : '');
     if (why) this.#warn(mesh, `${casts ? 'casts no shadow, and ' : ''}receives only shadows of lights that are looked up: ${why}`);
     return why !== '';
   }
@@ -337,6 +340,7 @@ export class Casters {
   #followShape(mesh, role, had) {
     const { geometry } = mesh;
     const versions = versionsOf(mesh, role.texcoords, this.#versions);
+    versions[8] = mesh.material.displacementMap ? this.#displacements.versionOf(mesh) : '';
     if (had.geometry === geometry && had.roleKey === role.key && sameNumbers(had.versions, versions)) return;
     Object.assign(had, { geometry, roleKey: role.key, versions: [...versions] });
     this.#use(`${geometry.uuid} ${versions} ${role.key}`, had);
@@ -376,7 +380,7 @@ export class Casters {
 
   /** The shape of a mesh; its origin becomes the entry's. */
   #shapeOf(mesh, { casts, tested, texcoords, doubleSided, inward, visible }, entry) {
-    const drawn = shapeOf(mesh);
+    const drawn = shapeOf(mesh, (positions) => (mesh.material.displacementMap ? this.#displacements.moved(mesh, positions) : positions));
     const shape = { ...drawn, ...nearOrigin(drawn.positions), casts, doubleSided, visible };
     entry.origin = shape.origin;
     entry.isFar = shape.origin.some((at) => at !== 0);

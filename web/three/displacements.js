@@ -1,6 +1,7 @@
 // Vertices that a displacementMap moves, moved by the GPU as three.js's vertex shader does, and read back.
 
 import { bindOn, drawOver, programOver } from './drawing-over.js';
+import { isPosed } from './mesh-shape.js';
 import { texcoordsOfTexture, uploadedIn } from './texture-products.js';
 
 /** Vertices in a row of the picture. */
@@ -26,6 +27,7 @@ export class Displacements {
   #masks;
   #touched;
   #program = null;
+  #lacked = new WeakSet(); // materials
 
   /** `touched()` is called when the context's state may have changed. */
   constructor(renderer, masks, touched) {
@@ -34,9 +36,21 @@ export class Displacements {
     this.#touched = touched;
   }
 
+  /** Whether some meshes of a displaced material can't be moved here. */
+  lacks(material) {
+    return this.#lacked.has(material);
+  }
+
   /** Why a displaced mesh can't be moved here: a clause, or ''. */
-  obstacleOf({ geometry: { attributes }, material: { displacementMap } }, isPosed) {
-    if (isPosed) return "its material's displacementMap moves vertices that bones or morph targets move, too";
+  obstacleOf(mesh) {
+    const why = this.#whyNot(mesh);
+    if (why) this.#lacked.add(mesh.material);
+    return why;
+  }
+
+  #whyNot(mesh) {
+    const { geometry: { attributes }, material: { displacementMap } } = mesh;
+    if (isPosed(mesh)) return "its material's displacementMap moves vertices that bones or morph targets move, too";
     if (!attributes.normal || !attributes[texcoordsOfTexture(displacementMap)]) return 'its displacementMap has no normals or texture coordinates';
     return this.#renderer.getContext().getExtension('EXT_color_buffer_float') ? '' : 'this device has no pictures of floats to displace its vertices in';
   }

@@ -6,6 +6,7 @@ import { AlphaTests, alphaTestedCasting } from './alpha-tests.js';
 import { Casters } from './casters.js';
 import { Clippings } from './clippings.js';
 import { CutoutMaps } from './cutout-maps.js';
+import { Displacements } from './displacements.js';
 import { mostSlots, slotName } from './lit.glsl.js';
 import { MaskTextures } from './mask-textures.js';
 import { MaskViews } from './mask-views.js';
@@ -47,6 +48,7 @@ export class ExactShadows extends EventTarget {
   #views = null;
   #texels = null;
   #products = null;
+  #displacements = null;
   #warnings = new Warnings();
   #lookedUp = 0; // number of lights in the last picture
   #lights = [];  // {light: three.js's, numbers: MaskLight} of the last picture
@@ -87,6 +89,7 @@ export class ExactShadows extends EventTarget {
     this.#cutouts?.forget();
     this.#texels?.forget();
     this.#products?.forget();
+    this.#displacements?.forget();
     this.#textures.clear();
   };
   #restore = () => {
@@ -110,7 +113,7 @@ export class ExactShadows extends EventTarget {
     this.#keepsState = keepsState;
     this.#mostLookedUp = Math.min(lookups, mostSlots);
     this.#textures = new MaskTextures(renderer);
-    this.#patches = new MaterialPatches(this.#uniforms, renderer.capabilities.maxTextures, this.#mostLookedUp, (camera) => this.#views?.show(camera));
+    this.#patches = new MaterialPatches(this.#uniforms, renderer.capabilities.maxTextures, this.#mostLookedUp, (camera) => this.#views?.show(camera), (material) => this.#displacements?.lacks(material) ?? true);
     const canvas = renderer.domElement;
     canvas.addEventListener('webglcontextlost', this.#forget);
     canvas.addEventListener('webglcontextrestored', this.#restore);
@@ -122,8 +125,9 @@ export class ExactShadows extends EventTarget {
         this.#resetRenderer();
         this.#texels = new TexelReading(renderer, masks, () => this.#resetRenderer());
         this.#products = new TextureProducts(renderer, masks, () => this.#resetRenderer());
+        this.#displacements = new Displacements(renderer, masks, () => this.#resetRenderer());
         this.#casters = new Casters(masks, new AlphaTests(renderer, this.#texels, this.#products), new Clippings(renderer), this.#warnings,
-          { touched: () => this.#resetRenderer(), failed: (message) => this.#tell(message) });
+          { displacements: this.#displacements, touched: () => this.#resetRenderer(), failed: (message) => this.#tell(message) });
         this.#views = new MaskViews(renderer, masks, this.#casters, (view, viewport) => this.#show(view, viewport));
         this.#resting = new RestingLights(masks, this.#mostLookedUp, () => this.#resetRenderer());
         this.#cutouts = new CutoutMaps(masks, () => this.#resetRenderer());
@@ -250,6 +254,7 @@ export class ExactShadows extends EventTarget {
     this.#resting?.forget();
     this.#resting = null;
     this.#products?.dispose();
+    this.#displacements?.dispose();
     this.#texels?.dispose();
     this.#texels = null;
     this.#masks?.dispose();
