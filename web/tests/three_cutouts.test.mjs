@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { useBrowser } from './support/browser.mjs';
-import { inFoliage } from './support/three.mjs';
+import { inFoliage, inPlaceOf, releasesOf } from './support/three.mjs';
 
 const shared = useBrowser({ angle: 'gl-egl' });
 
@@ -23,9 +23,9 @@ const leaves = async ({ ExactShadows, rested, redOf, comparedWithRays }, { floor
   return { lookedUp, ...comparedWithRays(redOf(renderer), renderer, scene, camera, source), error: renderer.getContext().getError() };
 };
 
-for (const release of ['three-0.152', 'three'])
+for (const release of releasesOf('three-0.152', 'three'))
   for (const [kind, position] of [['DirectionalLight', [0.4, 1, 0.3]], ['PointLight', [0.3, 3.4, 0.6]], ['SpotLight', [0.6, 4, 0.8]]])
-    if (release === 'three' || kind === 'DirectionalLight')
+    if (release === inPlaceOf('three') || kind === 'DirectionalLight')
       test(`leaves of an atlas on cards and instances, ${kind}, in ${release}`, async () => {
         const { told } = await inPage(leaves, { release, given: { kind, position } });
         console.log(told);

@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { useBrowser } from './support/browser.mjs';
-import { openThree } from './support/three.mjs';
+import { openThree, releasesOf } from './support/three.mjs';
 
 const shared = useBrowser({ angle: 'gl-egl' });
 
@@ -81,7 +81,7 @@ for (const looked of [false, true])
     assert.deepEqual(warnings, []);
   });
 
-for (const release of ['three-0.169', 'three'])
+for (const release of releasesOf('three-0.169', 'three'))
   for (const looked of [false, true])
     test(`a BatchedMesh, ${looked ? 'looked up' : 'masked'}, in ${release}`, async () => {
       const { told, warnings } = await inCourt(async ({ scene, material, chest, judge }, { three }) => {
@@ -193,7 +193,7 @@ test('vertices of the GPU alone, instances with morph targets, far instances: a 
   assert.match(warnings[2], /^Mesh 'far' has imprecise shadows: /);
 });
 
-for (const release of ['three-0.152', 'three'])
+for (const release of releasesOf('three-0.152', 'three'))
   test(`shaders that inline chunks, and shaders of one's own, in ${release}`, async () => {
     const { told, warnings } = await inCourt(async ({ scene, ground, chest, wall, columns, judge, draw }, { three }) => {
       const { ShaderChunk, ShaderLib, UniformsUtils } = three;

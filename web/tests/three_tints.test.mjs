@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { useBrowser } from './support/browser.mjs';
-import { inFoliage } from './support/three.mjs';
+import { inFoliage, inPlaceOf } from './support/three.mjs';
 
 const shared = useBrowser({ angle: 'gl-egl' });
 
@@ -17,7 +17,6 @@ const assertRight = (name, { compared, tinted, wrong, beyond }) => {
 /** Panes above one another, of several kinds, and a pillar; [mesh, tint]. */
 const window3 = async ({ three, ExactShadows, rested }, { floorOf, comparedTints }, { kind, position, inGlobe }) => {
   const { renderer, scene, light, camera } = floorOf(window.page, { kind, position });
-  if ('useLegacyLights' in renderer) renderer.useLegacyLights = false; // they are brighter than white
   const tints = new Map();
   const added = (mesh, tint, at, turned = [0, 0, 0]) => {
     mesh.position.set(...at);
@@ -45,7 +44,7 @@ const window3 = async ({ three, ExactShadows, rested }, { floorOf, comparedTints
 
 for (const [release, kind, position, inGlobe] of [['three-0.152', 'DirectionalLight', [0.3, 1, 0.25]], ['three', 'DirectionalLight', [0.3, 1, 0.25]],
   ['three', 'PointLight', [0.5, 3.4, 0.4]], ['three', 'PointLight', [0.2, 3.1, 0.3], true]])
-  test(`stained glass in a row, ${kind}${inGlobe ? ' in a globe' : ''}, in ${release}`, async () => {
+  test(`stained glass in a row, ${kind}${inGlobe ? ' in a globe' : ''}, in ${inPlaceOf(release)}`, async () => {
     const { told } = await inPage(window3, { release, given: { kind, position, inGlobe } });
     console.log(told);
     assert.equal(told.lookedUp, 1);

@@ -49,8 +49,8 @@ export interface LightShadow {
  * Exact shadows for directional, point and spot lights with castShadow: cast by meshes with
  * castShadow, and received by meshes with receiveShadow of standard, physical, Lambert, Phong, toon
  * and shadow materials, and of your own with lights. Meshes may be instanced, batched, skinned and
- * morphed, and have several materials. Wireframes and displaced surfaces cast nothing, and one
- * warning in the console names each. Pictures have no shadows until the first meshes are ready; those
+ * morphed, displaced, and have several materials. Wireframes and displaced meshes that bend cast nothing, and
+ * one warning in the console names each. Pictures have no shadows until the first meshes are ready; those
  * that are added later take part once they are (cost.pending). A light that has rested for half a
  * second is looked up once a worker has built its map of the casters that rest. Those that have moved
  * within half a second are counted on top, until they have rested for five seconds and another map
