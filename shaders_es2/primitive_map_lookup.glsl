@@ -72,22 +72,12 @@ bool primitiveMeets(highp float record, highp vec3 ray, highp vec3 point) {
     return sides.x >= 0.0 && sides.y >= 0.0 && sides.z >= 0.0;
 }
 
-#ifdef PRIMITIVE_MAP_TINTS
-// Whether the triangle, which primitiveMeets() has said the ray meets, is tinted. If it is before the
-// point, it takes its share of the light; a ray on an edge belongs to one of the two neighbours.
-bool primitiveIsTinted(highp float record) {
-    highp vec4 taken = primitiveRecord(3.0 * record + 3.0);
-    highp vec4 tint = primitiveRecord(3.0 * taken.w);
-    if (tint.w >= 0.0) return false;
-    bool met = (primitiveSides.x > 0.0 || taken.x > 0.5) &&
-               (primitiveSides.y > 0.0 || taken.y > 0.5) &&
-               (primitiveSides.z > 0.0 || taken.z > 0.5);
-    if (met && primitiveHeight > primitiveTolerance) primitiveTint = primitiveTint * tint.xyz;
-    return true;
-}
+#if defined(PRIMITIVE_MAP_CUTOUTS) ||                                                              \
+    (defined(PRIMITIVE_MAP_TINTS) && defined(PRIMITIVE_MAP_ONE_TABLE))
+#define PRIMITIVE_TEXTURES
 #endif
 
-#ifdef PRIMITIVE_MAP_CUTOUTS
+#ifdef PRIMITIVE_TEXTURES
 #ifndef PRIMITIVE_MAP_ONE_TABLE
 uniform mediump sampler2D u_primitiveAlpha; // all cutouts' textures, sampled texel by texel
 uniform highp vec2 u_primitiveAlphaTexel;   // 1 / its size
@@ -107,7 +97,7 @@ highp float cutoutTexel(highp vec2 place, highp vec4 rectangle, highp vec4 how) 
                             wrappedTexel(place.y, rectangle.w, how.z));
 #ifdef PRIMITIVE_MAP_ONE_TABLE
     // Eight to a texel, twelve bits each: PackedAlpha in src/shadow/primitive_map.
-    highp float index = texel.y * rectangle.z + texel.x;
+    highp float index = rectangle.y + texel.y * rectangle.z + texel.x;
     highp float within = floor(index * 0.125);
     highp vec4 eight = primitiveRecord(rectangle.x + within);
     within = index - 8.0 * within;
@@ -134,6 +124,44 @@ highp float cutoutAlpha(highp vec2 uv, highp vec4 rectangle, highp vec4 how) {
     return mix(mix(a, b, share.x), mix(c, d, share.x), share.y);
 }
 
+// The texture coordinates, by planes u and v, where a ray meets the last triangle's plane.
+highp vec2 cutoutPlace(highp vec4 u, highp vec4 v, highp vec3 ray) {
+    highp vec2 at = vec2(u.x * ray.x + u.y * ray.y + u.z * ray.z,
+                         v.x * ray.x + v.y * ray.y + v.z * ray.z);
+    return PRIMITIVE_DIRECTIONAL ? at : at / primitiveBehind;
+}
+#endif
+
+#ifdef PRIMITIVE_MAP_TINTS
+// Whether the triangle, which primitiveMeets() has said the ray meets, is tinted. If it is before the
+// point, it takes its share of the light; a ray on an edge belongs to one of the two neighbours.
+bool primitiveIsTinted(highp float record, highp vec3 ray) {
+    highp vec4 taken = primitiveRecord(3.0 * record + 3.0);
+    highp vec4 tint = primitiveRecord(3.0 * taken.w);
+    if (tint.w >= 0.0) return false;
+    bool met = (primitiveSides.x > 0.0 || taken.x > 0.5) &&
+               (primitiveSides.y > 0.0 || taken.y > 0.5) &&
+               (primitiveSides.z > 0.0 || taken.z > 0.5);
+    if (!met || primitiveHeight <= primitiveTolerance) return true;
+    primitiveTint = primitiveTint * tint.xyz;
+#ifdef PRIMITIVE_TEXTURES
+    highp vec4 rectangle = primitiveRecord(3.0 * taken.w + 1.0);
+    if (rectangle.z > 0.0) {
+        highp vec4 how = primitiveRecord(3.0 * taken.w + 2.0);
+        highp vec2 at = cutoutPlace(primitiveRecord(3.0 * record + 4.0),
+                                    primitiveRecord(3.0 * record + 5.0), ray);
+        // Red, green and blue follow one another.
+        highp vec4 layer = vec4(0.0, rectangle.z * rectangle.w, 0.0, 0.0);
+        primitiveTint = primitiveTint * vec3(cutoutAlpha(at, rectangle, how),
+                                             cutoutAlpha(at, rectangle + layer, how),
+                                             cutoutAlpha(at, rectangle + 2.0 * layer, how));
+    }
+#endif
+    return true;
+}
+#endif
+
+#ifdef PRIMITIVE_MAP_CUTOUTS
 // Whether the ray meets the solid part of the alpha-tested triangle, which primitiveMeets() has
 // said it meets.
 bool primitiveIsSolid(highp float record, highp vec3 ray) {
@@ -142,12 +170,9 @@ bool primitiveIsSolid(highp float record, highp vec3 ray) {
     highp vec4 a = primitiveRecord(3.0 * record + 5.0);
     highp vec4 rectangle = primitiveRecord(3.0 * u.w);
     highp vec4 how = primitiveRecord(3.0 * u.w + 1.0);
-    highp vec3 at = vec3(u.x * ray.x + u.y * ray.y + u.z * ray.z,
-                         v.x * ray.x + v.y * ray.y + v.z * ray.z,
-                         a.x * ray.x + a.y * ray.y + a.z * ray.z);
-    if (!PRIMITIVE_DIRECTIONAL) at = at / primitiveBehind; // where the ray meets the plane
-    highp float alpha = at.z;
-    if (rectangle.z > 0.0) alpha = alpha * cutoutAlpha(vec2(at.x, at.y), rectangle, how);
+    highp float alpha = a.x * ray.x + a.y * ray.y + a.z * ray.z;
+    if (!PRIMITIVE_DIRECTIONAL) alpha = alpha / primitiveBehind; // where the ray meets the plane
+    if (rectangle.z > 0.0) alpha = alpha * cutoutAlpha(cutoutPlace(u, v, ray), rectangle, how);
     return alpha >= how.x;
 }
 #endif
@@ -242,7 +267,7 @@ bool primitiveMapLights(highp vec3 point, bool casts) {
 #endif
         bool meets = primitiveMeets(record, primitiveRay, point);
 #ifdef PRIMITIVE_MAP_TINTS
-        if (meets && hasAlpha) meets = !primitiveIsTinted(record);
+        if (meets && hasAlpha) meets = !primitiveIsTinted(record, primitiveRay);
 #endif
 #ifdef PRIMITIVE_MAP_CUTOUTS
         if (meets && hasAlpha) meets = primitiveIsSolid(record, primitiveRay);

@@ -80,6 +80,17 @@ struct MaskAlpha {
     std::shared_ptr<const MaskTexels> texels = {};
 };
 
+/// A texture that multiplies what a tinted mesh lets through, by the mesh's texture coordinates.
+struct MaskTintTexture {
+    /// Its red, green and blue, one after another: three times as many numbers as texels, up to
+    /// MaskTexels::most. Null: none.
+    std::shared_ptr<const MaskTexels> texels = {};
+    /// As in MaskAlpha.
+    std::array<float, 9> texcoordTransform = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+
+    bool operator==(const MaskTintTexture&) const = default;
+};
+
 /// Planes that clip a mesh.
 struct MaskClipping {
     /// A plane keeps the points with a x + b y + c z + d >= 0; world space, of any length, finite.
@@ -230,8 +241,9 @@ class ShadowMasks {
     /// Makes a mesh tint the light in lookups that have tints (LookupCasters), whether or not it
     /// casts in masks: each of its triangles lets this share of red, green and blue through, 0..1.
     /// A ray counts a mesh whose triangles close it once. Empty: it isn't tinted. The tint stays
-    /// when the mesh is moved or changed.
-    void setTint(Id id, const std::optional<std::array<float, 3>>& tint);
+    /// when the mesh is moved or changed. `texture` multiplies it, in lookups.
+    void setTint(Id id, const std::optional<std::array<float, 3>>& tint,
+                 const MaskTintTexture& texture = {});
     /// Moves a mesh, and keeps its shape.
     void move(Id id, const Matrix16& worldFromObject);
     /// Clips a mesh, by all of the clippings, in place of those before; up to mostClippingPlanes in

@@ -10,16 +10,23 @@
 namespace edgeshade {
 namespace {
 
-void requireTexels(const MaskTexels& texels) {
+/// `what`: names the texture; `layers`: the number of its channels.
+void requireTexels(const MaskTexels& texels, const std::string& what, std::size_t layers) {
     const auto along = [](int size) { return static_cast<std::size_t>(std::max(size, 0)); };
-    const std::size_t count = along(texels.width) * along(texels.height);
+    const std::size_t count = layers * along(texels.width) * along(texels.height);
     const std::string size = std::to_string(texels.width) + "x" + std::to_string(texels.height);
     if (count == 0 || count > MaskTexels::most)
-        throw InputError("An alpha has " + size + " texels, not 1 to " +
-                         std::to_string(MaskTexels::most) + ".");
+        throw InputError(what + " has " + size + " texels, not 1 to " +
+                         std::to_string(MaskTexels::most / layers) + ".");
     if (texels.alpha.size() != count)
-        throw InputError("An alpha of " + size + " texels has " +
+        throw InputError(what + " of " + size + " texels has " +
                          std::to_string(texels.alpha.size()) + " numbers.");
+}
+
+void requireTransform(const std::array<float, 9>& transform, const std::string& what) {
+    for (const float number : transform)
+        if (!std::isfinite(number))
+            throw InputError(what + "'s transform has a number that is not finite.");
 }
 
 /// Whether two alphas cut the same mesh out in the same way.
@@ -84,26 +91,28 @@ void CasterScene::setAlpha(Id id, const MaskAlpha& alpha) {
     requireKnown(id);
     if (!slots_[id].whole->alphaTested)
         throw InputError("Mesh " + std::to_string(id) + " is not alpha-tested.");
-    for (const float number : alpha.texcoordTransform)
-        if (!std::isfinite(number))
-            throw InputError("An alpha's transform has a number that is not finite.");
+    requireTransform(alpha.texcoordTransform, "An alpha");
     if (!std::isfinite(alpha.opacity) || !std::isfinite(alpha.cutoff))
         throw InputError("An alpha has an opacity or a cutoff that is not finite.");
-    if (alpha.texels) requireTexels(*alpha.texels);
+    if (alpha.texels) requireTexels(*alpha.texels, "An alpha", 1);
     const bool alike = cutAlike(slots_[id].alpha, alpha);
     slots_[id].alpha = alpha;
     if (!alike) casterChanged(id, false);
     if (slots_[id].mesh->alphaTested) gpu_->batches[id].alpha = lookupOf(alpha);
 }
 
-void CasterScene::setTint(Id id, const std::optional<std::array<float, 3>>& tint) {
+void CasterScene::setTint(Id id, const std::optional<std::array<float, 3>>& tint,
+                          const MaskTintTexture& texture) {
     requireKnown(id);
     for (const float share : tint.value_or(std::array<float, 3>{}))
         if (!(share >= 0.0f && share <= 1.0f))
             throw InputError("A tint lets the share " + std::to_string(share) +
                              " of light through, not 0 to 1.");
-    if (slots_[id].tint == tint) return;
+    requireTransform(texture.texcoordTransform, "A tint");
+    if (texture.texels) requireTexels(*texture.texels, "A tint", 3);
+    if (slots_[id].tint == tint && slots_[id].tintTexture == texture) return;
     slots_[id].tint = tint;
+    slots_[id].tintTexture = texture;
     casterChanged(id, false);
 }
 
@@ -367,7 +376,10 @@ CasterScene::Casters CasterScene::resting(double restMs, LookupCasters of) const
         LookupTask::Caster& caster = all.casters.emplace_back();
         caster.worldFromBatch = loaded_.scene.batches[i].worldFromBatch;
         if (of.tints && slot.tint)
-            caster.cutout = {slot.caster, {}, slot.tint};
+            caster.cutout = {slot.caster,
+                             {.texcoordTransform = slot.tintTexture.texcoordTransform,
+                              .texels = slot.tintTexture.texels},
+                             slot.tint};
         else if (of.cutouts && slot.cutsOut())
             caster.cutout = {slot.caster, slot.alpha, {}};
         else

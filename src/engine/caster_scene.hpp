@@ -33,7 +33,8 @@ class CasterScene {
     std::vector<Id> add(const MergedMeshes& meshes);
     void change(Id id, const PreparedMesh& mesh);
     void setAlpha(Id id, const MaskAlpha& alpha);
-    void setTint(Id id, const std::optional<std::array<float, 3>>& tint);
+    void setTint(Id id, const std::optional<std::array<float, 3>>& tint,
+                 const MaskTintTexture& texture);
     void move(Id id, const Matrix16& worldFromObject);
     void setClippings(Id id, std::span<const MaskClipping> clippings);
     void remove(Id id);
@@ -107,6 +108,7 @@ class CasterScene {
         std::vector<MeshClip> clips; ///< those that cut casters come first
         MaskAlpha alpha;
         std::optional<std::array<float, 3>> tint;
+        MaskTintTexture tintTexture;
         CasterRest rest{};                       ///< as a caster
         Box own;                                 ///< of the whole mesh, in its space
         std::size_t changed = 0;                 ///< the draw() before which it last changed

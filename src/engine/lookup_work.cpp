@@ -42,8 +42,8 @@ CutoutTexture textureFrom(const MaskAlpha& alpha) {
 CasterEdges edgesFor(const PreparedMesh::Data& mesh, const LookupWork::Data::Look& look) {
     Batch batch;
     batch.geometry = mesh.geometry;
-    if (look.tint) return tintedEdgesOf(batch, look.texture);
-    CasterEdges found = cutoutEdgesOf(batch, maskMaterials());
+    CasterEdges found =
+        look.tint ? tintedEdgesOf(batch, look.texture) : cutoutEdgesOf(batch, maskMaterials());
     const glm::dmat3 transform(glm::make_mat3(look.alpha.texcoordTransform.data()));
     for (CutoutTriangle& triangle : found.cutouts) {
         triangle.material = look.texture;

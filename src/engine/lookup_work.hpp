@@ -20,7 +20,7 @@ struct LookupTask {
     /// A mesh that casts what its alpha leaves, or tints the light.
     struct Cutout {
         std::shared_ptr<const PreparedMesh::Data> mesh; ///< only its geometry counts
-        MaskAlpha alpha;
+        MaskAlpha alpha; ///< with a tint: its texture, a MaskTintTexture
         std::optional<std::array<float, 3>> tint;
     };
     struct Caster {

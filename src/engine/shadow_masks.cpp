@@ -334,8 +334,9 @@ void ShadowMasks::setAlpha(Id id, const MaskAlpha& alpha) {
     impl_->drawing->casters.setAlpha(id, alpha);
 }
 
-void ShadowMasks::setTint(Id id, const std::optional<std::array<float, 3>>& tint) {
-    impl_->drawing->casters.setTint(id, tint);
+void ShadowMasks::setTint(Id id, const std::optional<std::array<float, 3>>& tint,
+                          const MaskTintTexture& texture) {
+    impl_->drawing->casters.setTint(id, tint, texture);
 }
 
 void ShadowMasks::move(Id id, const Matrix16& worldFromObject) {

@@ -228,6 +228,98 @@ TEST(TintLookup, IsAskedForAndFollowsChanges) {
     EXPECT_THROW(host.masks.setTint(99, {}), std::runtime_error);
 }
 
+/// A sheet of 2 x 2 above the floor's middle, whose texture coordinates are 0..1, and its texture.
+struct TexturedPane {
+    const Scene scene = SceneBuilder().quad({-1, 1, -1}, {-1, 1, 1}, {1, 1, 1}, {1, 1, -1}).scene();
+    std::vector<float> texcoords;
+    std::shared_ptr<MaskTexels> texels = std::make_shared<MaskTexels>();
+
+    TexturedPane() {
+        for (const glm::vec3& at : geometryOf(scene).positions)
+            texcoords.insert(texcoords.end(), {0.5f + 0.5f * at.x, 0.5f + 0.5f * at.z});
+        *texels = {.width = 3,
+                   .height = 2,
+                   .alpha = {4080, 0, 2040, 1020, 4080, 510, 4080, 4080, 1020, 2040, 3060, 0, 0,
+                             2040, 4080, 510, 1020, 3060},
+                   .wrapS = MaskTexels::Wrap::mirror,
+                   .wrapT = MaskTexels::Wrap::clamp};
+    }
+
+    /// What its texture lets through at texture coordinates.
+    glm::dvec3 at(const glm::dvec2& uv) const {
+        const auto texel = [&](double x, double y) {
+            const double rest = x - 6.0 * std::floor(x / 6.0);
+            const auto column = static_cast<std::size_t>(rest < 3.0 ? rest : 5.0 - rest);
+            const auto row = static_cast<std::size_t>(std::clamp(y, 0.0, 1.0));
+            glm::dvec3 of(0.0);
+            for (std::size_t i = 0; i < 3; ++i)
+                of[static_cast<glm::length_t>(i)] =
+                    texels->alpha[6 * i + 3 * row + column] / 4080.0;
+            return of;
+        };
+        const glm::dvec2 place = uv * glm::dvec2(3, 2);
+        if (!texels->linear) return texel(std::floor(place.x), std::floor(place.y));
+        const glm::dvec2 first = glm::floor(place - 0.5), share = place - 0.5 - first;
+        return glm::mix(
+            glm::mix(texel(first.x, first.y), texel(first.x + 1, first.y), share.x),
+            glm::mix(texel(first.x, first.y + 1), texel(first.x + 1, first.y + 1), share.x),
+            share.y);
+    }
+};
+
+TEST(TintLookup, IsMultipliedByATextureOfThePane) {
+    TexturedPane pane;
+    const Scene floor = floorScene();
+    for (const bool linear : {true, false})
+        for (const Light& light : {sun({0.3, 1, 0.4}), pointLight({0.4, 4, 0.7})}) {
+            const gl::HeadlessContext context({hostWidth, hostHeight});
+            ShadowMasks masks(eglLookUp);
+            masks.add(test::meshOf(geometryOf(floor)));
+            MaskMesh mesh = test::meshOf(geometryOf(pane.scene));
+            mesh.casts = mesh.visible = false;
+            mesh.texcoords = pane.texcoords;
+            const auto id = masks.add(mesh);
+            pane.texels->linear = linear;
+            const MaskTintTexture texture{pane.texels, {0, 1.3f, 0, 0.8f, 0, 0, -0.4f, 0.2f, 1}};
+            masks.setTint(id, {{1.0f, 0.5f, 0.75f}}, texture);
+            const LookupCasters casters{false, true};
+            const MaskLight asked = hostLight(light);
+            const auto lookup = lookedUp(masks, asked, {.restMs = 0.0, .casters = casters});
+            HostPicture(masks, lookup, asked, viewOf(above), {false, true, casters})
+                .draw(geometryOf(floor), identity16, true);
+            const std::vector<std::uint8_t> rgba = context.readPixels();
+            std::size_t tinted = 0, wrong = 0;
+            const std::vector<glm::dvec3> points = pointsOfGround(viewOf(above));
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                const glm::dvec3& from = points[i];
+                if (std::max(std::abs(from.x), std::abs(from.z)) > 3.0) continue;
+                const glm::dvec3 towards = glm::dvec3(light.position) - light.position.w * from;
+                const glm::dvec3 met = from + towards * ((1.0 - from.y) / towards.y);
+                if (std::max(std::abs(met.x), std::abs(met.z)) > 0.97) continue; // or its outline
+                const glm::dvec2 own(0.5 + 0.5 * met.x, 0.5 + 0.5 * met.z);
+                const glm::dvec3 colour =
+                    pane.at({0.8 * own.y - 0.4, 1.3 * own.x + 0.2}) * glm::dvec3(1.0, 0.5, 0.75);
+                const glm::dvec3 off = glm::abs(
+                    glm::dvec3(rgba[4 * i], rgba[4 * i + 1], rgba[4 * i + 2]) - 255.0 * colour);
+                ++tinted;
+                wrong += std::max({off.x, off.y, off.z}) > 1.5;
+            }
+            EXPECT_GT(tinted, 1000u);
+            // Rays at the border of two texels may be on either side.
+            EXPECT_LE(wrong, linear ? 0u : tinted / 500);
+            const auto before = masks.casterState();
+            masks.setTint(id, {{1.0f, 0.5f, 0.75f}}, texture);
+            EXPECT_EQ(masks.casterState(), before);
+            masks.setTint(id, {{1.0f, 0.5f, 0.75f}});
+            EXPECT_NE(masks.casterState(), before);
+            MaskTexels single = *pane.texels;
+            single.alpha.resize(6);
+            EXPECT_THROW(
+                masks.setTint(id, {{1, 1, 1}}, {std::make_shared<const MaskTexels>(single)}),
+                std::runtime_error);
+        }
+}
+
 TEST(InvisibleMeshes, AreNotInMasksAndMayCast) {
     const Scene scene = yard().scene(), pane = window()[1].scene();
     const gl::HeadlessContext context({hostWidth, hostHeight});

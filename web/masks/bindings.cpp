@@ -23,7 +23,7 @@ MaskTexels texelsAt(const std::uint16_t* alpha, const std::int32_t* numbers) {
     MaskTexels texels;
     texels.width = numbers[0];
     texels.height = numbers[1];
-    texels.alpha.assign(alpha, alpha + numbers[0] * numbers[1]);
+    texels.alpha.assign(alpha, alpha + numbers[5]);
     texels.wrapS = static_cast<MaskTexels::Wrap>(numbers[2]);
     texels.wrapT = static_cast<MaskTexels::Wrap>(numbers[3]);
     texels.linear = numbers[4] != 0;
@@ -139,12 +139,18 @@ class PageMasks {
             masks().setAlpha(idOf(id), alpha);
         });
     }
-    /// A negative red: none.
-    bool setTint(int id, float red, float green, float blue) {
+    /// `numbers`: red, green and blue, a negative red for none, and the texture's transform;
+    /// `texels`: as in setAlpha().
+    bool setTint(int id, std::uintptr_t numbers, int texels) {
         return done([&] {
+            const float* from = at<float>(numbers);
             std::optional<std::array<float, 3>> tint;
-            if (!(red < 0.0f)) tint = {red, green, blue};
-            masks().setTint(idOf(id), tint);
+            if (!(from[0] < 0.0f)) tint = {from[0], from[1], from[2]};
+            MaskTintTexture texture;
+            std::copy_n(from + 3, texture.texcoordTransform.size(),
+                        texture.texcoordTransform.begin());
+            if (texels >= 0) texture.texels = texels_.at(texels);
+            masks().setTint(idOf(id), tint, texture);
         });
     }
     bool move(int id, std::uintptr_t matrix) {

@@ -27,7 +27,7 @@ export interface MaskMesh {
    * no holes; for lookups see MaskAlpha.cutsOut. Default: false.
    */
   alphaTested?: boolean;
-  /** u, v per vertex; for alpha-tested meshes. Default: 0, 0. */
+  /** u, v per vertex; for alpha-tested meshes, and for tints with a texture. Default: 0, 0. */
   texcoords?: ArrayLike<number>;
   /**
    * Whether masks show it. Otherwise they show what is behind it, as behind see-through surfaces, and
@@ -36,18 +36,27 @@ export interface MaskMesh {
   visible?: boolean;
 }
 
-/** The alpha of a texture, texel by texel; it is copied. */
+/** The alpha of a texture, or for a tint its colours, texel by texel; it is copied. */
 export interface MaskTexels {
   width: number;
   height: number;
   /** width * height integers, 0 to 4080 for an alpha of 1, which is 16 times that of 8 bits; rows
-   * from v = 0 on. At most 16,777,216. */
+   * from v = 0 on. For a tint three times as many: all of red, then green, then blue. At most
+   * 16,777,216. */
   alpha: ArrayLike<number> & Iterable<number>;
   /** Default: 'repeat'. */
   wrapS?: 'repeat' | 'mirror' | 'clamp';
   wrapT?: 'repeat' | 'mirror' | 'clamp';
   /** Lookups filter the texels as they are, without mipmaps. Default: 'linear'. */
   filter?: 'linear' | 'nearest';
+}
+
+/** A texture that multiplies a tint. */
+export interface MaskTintTexture {
+  /** Colours from addTexels(). Default: null, none. */
+  texels?: number | null;
+  /** As in MaskAlpha. */
+  texcoordTransform?: ArrayLike<number> & Iterable<number>;
 }
 
 /** The alpha of an alpha-tested mesh: opacity times the texture's. */
@@ -279,7 +288,7 @@ export class ShadowMasks {
   add(mesh: number, worldFromObject: Matrix): number;
   /** Replaces the mesh, in the same place. */
   change(id: number, mesh: number): void;
-  /** Copies a texture's alpha. Returns a number for MaskAlpha.texels. */
+  /** Copies a texture's alpha or colours. Returns a number for MaskAlpha and MaskTintTexture. */
   addTexels(texels: MaskTexels): number;
   /** Frees the number; meshes that have these texels keep them. */
   releaseTexels(texels: number): void;
@@ -289,8 +298,9 @@ export class ShadowMasks {
    * Makes a mesh tint the light in lookups with `tints`, whether or not it casts in masks: the share of
    * red, green and blue that each of its triangles lets through, 0 to 1. A ray counts a mesh whose
    * triangles close it once. Null: it isn't tinted. It stays when the mesh is moved or changed.
+   * `texture` multiplies it by texels of colours, sampled by the mesh's texture coordinates.
    */
-  setTint(id: number, tint: [number, number, number] | null): void;
+  setTint(id: number, tint: [number, number, number] | null, texture?: MaskTintTexture): void;
   move(id: number, worldFromObject: Matrix): void;
   /**
    * Clips a mesh by all of these, in place of those before; at most 12 planes. They stay when it is

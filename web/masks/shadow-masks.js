@@ -16,7 +16,7 @@ const lightNumbers = 11; // the last is the lookup's id
 
 /** As ShadowMasks::longRestMs. */
 export const longRestMs = 5000;
-const channels = ['alpha', 'green'];
+const channels = ['alpha', 'green'], identity = [1, 0, 0, 0, 1, 0, 0, 0, 1];
 
 /** Most lights in one draw(). */
 export const mostLights = 32;
@@ -145,11 +145,11 @@ export class ShadowMasks {
     this.#textures.drop(id);
   }
 
-  /** Copies a texture's alpha for setAlpha(). Returns its number, which releaseTexels() frees. */
+  /** Copies a texture's alpha for setAlpha(), or its red, green and blue for setTint(). Returns its number, which releaseTexels() frees. */
   addTexels({ width, height, alpha, wrapS = 'repeat', wrapT = 'repeat', filter = 'linear' }) {
-    const wraps = ['repeat', 'mirror', 'clamp'], numbers = Int32Array.from([width, height, wraps.indexOf(wrapS), wraps.indexOf(wrapT), filter === 'linear' ? 1 : 0]);
+    const wraps = ['repeat', 'mirror', 'clamp'], numbers = Int32Array.from([width, height, wraps.indexOf(wrapS), wraps.indexOf(wrapT), filter === 'linear' ? 1 : 0, alpha.length]);
     if (numbers.includes(-1) || !['linear', 'nearest'].includes(filter)) throw new Error(`An alpha has the wraps '${wrapS}' and '${wrapT}' and the filter '${filter}': they are repeat, mirror or clamp, and linear or nearest.`);
-    if (!(width > 0 && height > 0 && width * height === alpha.length)) throw new Error(`An alpha of ${width}x${height} texels has ${alpha.length} numbers.`);
+    if (!(width > 0 && height > 0 && [1, 3].includes(alpha.length / (width * height)))) throw new Error(`An alpha of ${width}x${height} texels has ${alpha.length} numbers.`);
     return withCopies(this.#program, [alpha instanceof Uint16Array ? alpha : Uint16Array.from(alpha), numbers], (addresses) => this.#numberOf(this.#masks.addTexels(...addresses)));
   }
 
@@ -158,7 +158,7 @@ export class ShadowMasks {
   }
 
   /** Sets the alpha of an alpha-tested mesh. */
-  setAlpha(id, { texture = null, channel = 'alpha', opacity = 1, cutoff = 0.5, texcoordTransform = [1, 0, 0, 0, 1, 0, 0, 0, 1], cutsOut = false, texels = null }) {
+  setAlpha(id, { texture = null, channel = 'alpha', opacity = 1, cutoff = 0.5, texcoordTransform = identity, cutsOut = false, texels = null }) {
     if (!channels.includes(channel)) throw new Error(`Alpha has the channel '${channel}', which is not one of ${channels.join(', ')}.`);
     const numbers = Float32Array.from([opacity, cutoff, ...texcoordTransform]);
     if (numbers.length !== 11) throw new Error('A texture coordinate transform must have 9 numbers.');
@@ -167,8 +167,10 @@ export class ShadowMasks {
   }
 
   /** Makes a mesh tint the light in lookups: [red, green, blue] that it lets through; null: none. */
-  setTint(id, tint) {
-    this.#require(this.#masks.setTint(id, ...(tint ?? [-1, 0, 0])));
+  setTint(id, tint, { texels = null, texcoordTransform = identity } = {}) {
+    const numbers = Float32Array.from([...(tint ?? [-1, 0, 0]), ...texcoordTransform]);
+    if (numbers.length !== 12) throw new Error('A tint must have 3 numbers, and its texture coordinate transform 9.');
+    withCopies(this.#program, [numbers], ([address]) => this.#require(this.#masks.setTint(id, address, texels ?? -1)));
   }
 
   move(id, matrix) {

@@ -56,19 +56,19 @@ const packed = (() => {
   }
 })();
 
-test('the package is at most 1.47 MB, 3.97 MB unpacked', { skip }, () => {
+test('the package is at most 1.5 MB, 4.05 MB unpacked', { skip }, () => {
   const { size, unpackedSize } = packed;
   console.log(`tarball ${size} bytes, unpacked ${unpackedSize}`);
-  assert.ok(size <= 1.47e6 && unpackedSize <= 3.97e6);
+  assert.ok(size <= 1.5e6 && unpackedSize <= 4.05e6);
 });
 
-test('three.js\' adapter weighs at most 469 KB, the element 800 KB, without a bundler, compressed', { skip }, () => {
+test('three.js\' adapter weighs at most 476 KB, the element 800 KB, without a bundler, compressed', { skip }, () => {
   const modules = (...folders) => packed.paths.filter((path) => path.endsWith('.js') && folders.some((folder) => path.startsWith(`dist/${folder}/`)));
   const wasm = (name) => [`dist/wasm/${name}.wasm`, `dist/wasm/${name}.mjs`];
   const adapter = packed.weight(...wasm('edgeshade-masks'), 'dist/element/webassembly.js', ...modules('masks', 'three'));
   const element = packed.weight(...wasm('edgeshade'), ...modules('element'));
   console.log(`adapter ${adapter} bytes, element ${element}`);
-  assert.ok(adapter <= 469e3 && element <= 800e3);
+  assert.ok(adapter <= 476e3 && element <= 800e3);
 });
 
 test('npm packs every entry with its types, workers and WebAssembly', { skip }, () => {

@@ -3,11 +3,11 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { useBrowser } from './support/browser.mjs';
-import { openThree } from './support/three.mjs';
+import { openThree, releasesOf } from './support/three.mjs';
 
 const shared = useBrowser();
 
-for (const release of ['three-0.152', 'three'])
+for (const release of releasesOf('three-0.152', 'three'))
   test(`alpha of map, of alphaMap and of other texture coordinates, in ${release}`, async () => {
     const page = await openThree(shared, release);
     const told = await page.evaluate(async () => {

@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { useBrowser } from './support/browser.mjs';
 import { recipes } from './support/readme.mjs';
-import { openThree } from './support/three.mjs';
+import { inPlaceOf, openThree, releasesOf } from './support/three.mjs';
 
 const shared = useBrowser({ angle: 'gl-egl' });
 
@@ -26,7 +26,7 @@ function assertRight(told, { least = 1000, dark = 60 } = {}) {
   }
 }
 
-for (const release of ['three-0.152', 'three'])
+for (const release of releasesOf('three-0.152', 'three'))
   test(`a composer of another pixel ratio, by the README's lines, in ${release}`, async () => {
     const { told, warnings } = await inPage(async ({ ExactShadows, rendererOf, court, targetOf, redOfTarget, judged, drawn }, lines) => {
       const { ShaderPass } = await import('three/addons/postprocessing/ShaderPass.js');
@@ -224,7 +224,7 @@ test('a lit overrideMaterial has shadows, or a warning that names what it would 
 });
 
 for (const [release, looked, keepsState] of [['three-0.152', false, false], ['three', false, false], ['three', false, true], ['three', true, false]])
-  test(`nested and other cameras have their own ${looked ? 'lookups' : 'masks'}, in ${release}${keepsState ? ', all state kept' : ''}`, async () => {
+  test(`nested and other cameras have their own ${looked ? 'lookups' : 'masks'}, in ${inPlaceOf(release)}${keepsState ? ', all state kept' : ''}`, async () => {
     const { told: { told, errors, lookedUp }, warnings } = await inPage(everyCamera, { looked, keepsState }, release);
     console.log(release, looked, keepsState, told);
     assert.deepEqual(errors, []);
@@ -234,7 +234,7 @@ for (const [release, looked, keepsState] of [['three-0.152', false, false], ['th
     assertRight(told, { least: 300, dark: 30 });
   });
 
-for (const release of ['three-0.169', 'three'])
+for (const release of releasesOf('three-0.169', 'three'))
   for (const keepsState of [false, true])
     test(`reversed depths, in ${release}${keepsState ? ', all state kept' : ''}`, async () => {
       const { told, warnings } = await inPage(async ({ three, ExactShadows, rendererOf, court, redOf, judged, rested, targetOf, redOfTarget }, given) => {

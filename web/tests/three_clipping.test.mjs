@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { useBrowser } from './support/browser.mjs';
-import { openThree } from './support/three.mjs';
+import { inPlaceOf, openThree, releasesOf } from './support/three.mjs';
 
 const shared = useBrowser({ angle: 'gl-egl' });
 
@@ -54,8 +54,8 @@ const assertRight = (name, { surfaces, dark, wrong, beyond }) => {
   assert.ok(beyond <= 1 && wrong <= 0.02 * surfaces, `${name}: ${wrong} of ${surfaces} pixels are wrong, ${beyond} of them beyond outlines`);
 };
 
-for (const release of ['three-0.152', 'three'])
-  for (const lamp of release === 'three' ? [false, true] : [false])
+for (const release of releasesOf('three-0.152', 'three'))
+  for (const lamp of release === inPlaceOf('three') ? [false, true] : [false])
     test(`a house cut open, under a ${lamp ? 'lamp' : 'sun'}, in ${release}`, async () => {
       const told = await inPage(new Function('page', 'house', `return (${everyCut})(page, house, ${lamp})`), release);
       console.log(told);

@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { useBrowser } from './support/browser.mjs';
-import { inFoliage } from './support/three.mjs';
+import { inFoliage, inPlaceOf } from './support/three.mjs';
 
 const shared = useBrowser({ angle: 'gl-egl' });
 
@@ -47,7 +47,7 @@ const inMotion = async ({ three, ExactShadows, redOf, comparedWithRays }, { floo
 };
 
 for (const [release, kind, position, glass] of [['three-0.152', 'DirectionalLight', [0.4, 1, 0.3], false], ['three', 'PointLight', [0.3, 3.4, 0.6], true]])
-  test(`${glass ? 'panes' : 'leaves'}, ${kind}, in ${release}`, async () => {
+  test(`${glass ? 'panes' : 'leaves'}, ${kind}, in ${inPlaceOf(release)}`, async () => {
     const { told: { told, error } } = await inFoliage(shared, inMotion, { release, given: { kind, position, glass } });
     console.log(told);
     assert.equal(error, 0);

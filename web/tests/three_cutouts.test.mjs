@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { useBrowser } from './support/browser.mjs';
-import { inFoliage } from './support/three.mjs';
+import { inFoliage, inPlaceOf, releasesOf } from './support/three.mjs';
 
 const shared = useBrowser({ angle: 'gl-egl' });
 
@@ -23,9 +23,9 @@ const leaves = async ({ ExactShadows, rested, redOf, comparedWithRays }, { floor
   return { lookedUp, ...comparedWithRays(redOf(renderer), renderer, scene, camera, source), error: renderer.getContext().getError() };
 };
 
-for (const release of ['three-0.152', 'three'])
+for (const release of releasesOf('three-0.152', 'three'))
   for (const [kind, position] of [['DirectionalLight', [0.4, 1, 0.3]], ['PointLight', [0.3, 3.4, 0.6]], ['SpotLight', [0.6, 4, 0.8]]])
-    if (release === 'three' || kind === 'DirectionalLight')
+    if (release === inPlaceOf('three') || kind === 'DirectionalLight')
       test(`leaves of an atlas on cards and instances, ${kind}, in ${release}`, async () => {
         const { told } = await inPage(leaves, { release, given: { kind, position } });
         console.log(told);
@@ -78,6 +78,52 @@ test('alphaMap with its own transform, coordinates, wrap and filter; and its cha
   console.log(told);
   assert.equal(told.error, 0);
   for (const [name, of] of Object.entries(told)) if (of.surfaces) assertRight(name, { ...of, dark: of.dark + (name === 'no texture' ? 300 : 0) });
+});
+
+test('alphaMap and map with their own sizes, transforms and coordinates, looked up and in masks', async () => {
+  const { told } = await inPage(async ({ three, ExactShadows, drawn, redOf, comparedWithRays }, { floorOf, blobs, white, wholly }) => {
+    const { renderer, scene, light, camera } = floorOf(window.page);
+    const map = blobs(9, 6), alphaMap = blobs(5, 8, { green: true, seed: 5 });
+    for (const texture of [map, alphaMap]) Object.assign(texture, { wrapS: three.RepeatWrapping, wrapT: three.MirroredRepeatWrapping });
+    const sheet = new three.Mesh(new three.PlaneGeometry(3, 3), white({ map, alphaMap, alphaTest: 0.2, opacity: 0.95 }));
+    sheet.position.set(0.2, 1.2, 0);
+    sheet.rotation.set(-1.3, 0.2, 0.3);
+    sheet.castShadow = sheet.receiveShadow = true;
+    scene.add(sheet);
+    const shadows = new ExactShadows(renderer).add(scene);
+    const told = {};
+    const judge = async (name) => {
+      if (await wholly(window.page, shadows, scene, camera) !== 1) throw new Error(`${name}: no light is looked up`);
+      told[name] = comparedWithRays(redOf(renderer), renderer, scene, camera, light);
+    };
+    await judge('one transform');
+    light.position.x += 0.01;
+    await drawn(shadows, scene, camera);
+    told['in masks'] = comparedWithRays(redOf(renderer), renderer, scene, camera, light);
+    const uv1 = sheet.geometry.attributes.uv.clone();
+    for (let i = 0; i < uv1.count; ++i) uv1.setXY(i, 1.5 * uv1.getY(i) - 0.3, 0.8 * uv1.getX(i) + 0.1 * uv1.getY(i));
+    sheet.geometry.setAttribute('uv1', uv1);
+    map.channel = 1;
+    map.repeat.set(1.4, 1.2);
+    Object.assign(alphaMap, { rotation: 0.4, wrapS: three.ClampToEdgeWrapping, needsUpdate: true });
+    sheet.material.needsUpdate = true; // other coordinates
+    await judge('of their own');
+    const { data } = map.image;
+    for (let i = 3; i < data.length; i += 4) data[i] = 255 - data[i];
+    map.needsUpdate = true;
+    await judge('other texels');
+    for (const texture of [map, alphaMap]) texture.magFilter = texture.minFilter = three.NearestFilter;
+    for (const texture of [map, alphaMap]) texture.needsUpdate = true;
+    await judge('nearest');
+    data.fill(255);
+    map.needsUpdate = true;
+    await judge('no alpha in map');
+    told.error = renderer.getContext().getError();
+    return told;
+  });
+  console.log(told);
+  assert.equal(told.error, 0);
+  for (const [name, of] of Object.entries(told)) if (of.surfaces) assertRight(name, of);
 });
 
 test('the other choices, and a light that moves', async () => {
@@ -134,7 +180,11 @@ test('what is not exact is told once, by name and reason', async () => {
       return mesh;
     };
     const alphaTest = 0.5, map = blobs(8, 8);
-    added('both', white({ map, alphaMap: blobs(4, 4, { green: true }), alphaTest }));
+    const unlike = new three.PlaneGeometry(1, 1);
+    unlike.setAttribute('uv1', new three.BufferAttribute(new Float32Array([0, 0, 1, 0, 0.2, 0.7, 0.5, 0.5]), 2));
+    const alphaMap = blobs(4, 4, { green: true });
+    alphaMap.channel = 1;
+    added('both', white({ map, alphaMap, alphaTest }), unlike);
     const target = new three.WebGLRenderTarget(4, 4);
     added('target', white({ map: target.texture, alphaTest }));
     renderer.initTexture(map);

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { useBrowser } from './support/browser.mjs';
-import { openThree } from './support/three.mjs';
+import { openThree, releasesOf } from './support/three.mjs';
 
 const shared = useBrowser();
 
@@ -127,7 +127,7 @@ test('a material takes shadows as long as it is theirs, and is as it came after 
 const kinds = ['MeshStandardMaterial', 'MeshPhysicalMaterial', 'MeshLambertMaterial', 'MeshPhongMaterial', 'MeshToonMaterial'];
 
 test('every material that is lit, lights of every kind, several of them', async () => {
-  for (const release of ['three-0.152', 'three']) {
+  for (const release of releasesOf('three-0.152', 'three')) {
     const told = await inPage(async ({ three, yard, ExactShadows, cameraOf, lampOf, drawn, redAt }) => {
       const { renderer, scene, ground, box, light } = yard({ width: 200, height: 120 });
       const camera = cameraOf({ from: [0, 6, 0.01], to: [0, 0, 0], fov: 50 }, 200 / 120);

@@ -70,9 +70,24 @@ test('a program that the host has deleted while in use stays deleted', async () 
 /** Cycles of adding and removing 100 meshes. */
 const cycles = times(12, 200);
 
-/** Keeps the memories of the page's programs in `memories`. */
+/** Keeps the memories of the page's programs in `memories`, and the objects of its contexts in `objects`. */
 function keepMemories() {
   window.memories = [];
+  window.objects = new Set();
+  const context = WebGL2RenderingContext.prototype;
+  for (const kind of ['Buffer', 'Framebuffer', 'Program', 'Query', 'Renderbuffer', 'Sampler', 'Shader', 'Sync', 'Texture', 'TransformFeedback', 'VertexArray']) {
+    const making = kind === 'Sync' ? 'fenceSync' : `create${kind}`, deleting = `delete${kind}`;
+    const { [making]: make, [deleting]: drop } = context;
+    context[making] = function (...given) {
+      const made = make.apply(this, given);
+      window.objects.add(made);
+      return made;
+    };
+    context[deleting] = function (object) {
+      window.objects.delete(object);
+      drop.call(this, object);
+    };
+  }
   const { instantiate } = WebAssembly;
   WebAssembly.instantiate = async (...given) => {
     const made = await instantiate.apply(WebAssembly, given);
@@ -90,7 +105,7 @@ test(`${cycles} cycles of adding and removing 100 meshes leave nothing behind`, 
     const camera = cameraOf({ from: [5, 4, 6], to: [0, 0.6, 0], fov: 50 }, 80 / 60);
     const shadows = new ExactShadows(renderer, { lookups: 0 }).add(scene);
     await drawn(shadows, scene, camera);
-    const heaps = [], pending = [], batches = [], bytes = [], memory = [];
+    const heaps = [], pending = [], batches = [], bytes = [], memory = [], objects = [];
     for (let i = 0; i < count; ++i) {
       const model = building(100, { seed: i + 1 });
       scene.add(model);
@@ -105,20 +120,28 @@ test(`${cycles} cycles of adding and removing 100 meshes leave nothing behind`, 
       pending.push(shadows.cost.pending);
       batches.push(shadows.cost.batches);
       bytes.push(shadows.cost.bytes);
+      const kinds = {};
+      for (const { constructor: { name } } of window.objects) kinds[name] = (kinds[name] ?? 0) + 1;
+      objects.push(kinds);
       memory.push(window.memories.reduce((sum, { buffer }) => sum + buffer.byteLength, 0));
       await new Promise((resolve) => { setTimeout(resolve, 20); });
       window.gc();
       heaps.push(performance.memory.usedJSHeapSize);
     }
-    return { heaps, pending, batches, bytes, memory };
+    return { heaps, pending, batches, bytes, memory, objects };
   }, cycles);
   const median = (list) => [...list].sort((a, b) => a - b)[list.length >> 1];
   const third = Math.floor(cycles / 3);
   const begin = median(told.heaps.slice(2, 2 + third)), end = median(told.heaps.slice(-third));
-  console.log(`heap of JavaScript: ${(begin / 1e6).toFixed(2)} MB, then ${(end / 1e6).toFixed(2)} MB; of the program ${told.memory[2]}, then ${told.memory.at(-1)} bytes; on the GPU ${told.bytes.at(2)}, then ${told.bytes.at(-1)} bytes`);
+  console.log(`heap of JavaScript: ${(begin / 1e6).toFixed(2)} MB, then ${(end / 1e6).toFixed(2)} MB; of the program ${told.memory[2]}, then ${told.memory.at(-1)} bytes; on the GPU ${told.bytes.at(2)}, then ${told.bytes.at(-1)} bytes; objects of the GL`, told.objects.at(2), told.objects.at(-1));
   assert.ok(told.pending.every((number) => number === 0));
   assert.deepEqual([...new Set(told.batches)], [2], 'the ground and the box');
   assert.equal(told.bytes.at(-1), told.bytes.at(2));
+  // Programs are compiled when a frame first needs them. Meshes that went while they were pending leave other
+  // objects until the next cycle.
+  const most = (list) => Math.max(...list.map(({ WebGLProgram: _, ...kinds }) => Object.values(kinds).reduce((sum, count) => sum + count, 0)));
+  assert.ok(most(told.objects) > 20 && most(told.objects.slice(-third)) <= most(told.objects.slice(0, third)), JSON.stringify(told.objects));
+  assert.ok(told.objects.at(-1).WebGLProgram < told.objects[2].WebGLProgram + 10);
   assert.ok(told.memory[2] > 1e6 && told.memory.at(-1) <= told.memory[third], 'the memory of the program does not grow');
   assert.ok(end < begin + 2e6, `${begin} bytes, then ${end}`);
   await shared.check(page);

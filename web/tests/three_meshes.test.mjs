@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { useBrowser } from './support/browser.mjs';
-import { openThree } from './support/three.mjs';
+import { openThree, releasesOf } from './support/three.mjs';
 
 const shared = useBrowser({ angle: 'gl-egl' });
 
@@ -81,7 +81,7 @@ for (const looked of [false, true])
     assert.deepEqual(warnings, []);
   });
 
-for (const release of ['three-0.169', 'three'])
+for (const release of releasesOf('three-0.169', 'three'))
   for (const looked of [false, true])
     test(`a BatchedMesh, ${looked ? 'looked up' : 'masked'}, in ${release}`, async () => {
       const { told, warnings } = await inCourt(async ({ scene, material, chest, judge }, { three }) => {
@@ -110,7 +110,7 @@ for (const release of ['three-0.169', 'three'])
     });
 
 for (const looked of [false, true])
-  test(`wireframes and displaced surfaces ${looked ? 'receive by lookup' : 'are left out'}, with a warning each`, async () => {
+  test(`wireframes ${looked ? 'receive by lookup' : 'are left out'}, with a warning each`, async () => {
     const { told, warnings } = await inCourt(async ({ scene, material, ground, placed, columns, chest, judge, looked }, { three }) => {
       const cage = placed(new three.BoxGeometry(1.6, 0.8, 1.6), [0.2, 1.6, 0.9]);
       cage.material = Object.assign(material.clone(), { wireframe: true, colorWrite: false, depthWrite: false });
@@ -121,23 +121,45 @@ for (const looked of [false, true])
       chest.material.colorWrite = chest.material.depthWrite = false;
       chest.name = 'chest';
       await judge('a material that becomes one');
-      const white = new three.DataTexture(new Uint8Array(16).fill(255), 2, 2);
-      white.needsUpdate = true;
-      const lifted = placed(new three.PlaneGeometry(9, 9).rotateX(-Math.PI / 2), [0, -0.3, 0]);
-      lifted.name = 'lifted';
-      lifted.material = Object.assign(material.clone(), { displacementMap: white, displacementScale: 0.25, displacementBias: 0.05 });
-      ground.visible = false;
-      for (const column of columns) column.position.y += 0.2;
-      if (looked) await judge('displaced', () => {
-        lifted.visible = false;
-        ground.visible = true;
-      });
     }, { looked });
     assertRight(told);
-    assert.equal(warnings.length, looked ? 3 : 2, `${warnings}`);
+    assert.equal(warnings.length, 2, `${warnings}`);
     assert.match(warnings[0], /^Mesh 'cage' casts no shadow, .*: its material is a wireframe\.$/);
     assert.match(warnings[1], /^Mesh 'chest' casts no shadow, .*: its material is a wireframe\.$/);
-    if (looked) assert.match(warnings[2], /^Mesh 'lifted' casts no shadow, .*displacementMap/);
+  });
+
+for (const looked of [false, true])
+  test(`displaced surfaces cast and receive as they are drawn, ${looked ? 'looked up' : 'masked'}; a warning of those that bend`, async () => {
+    const { told, warnings } = await inCourt(async ({ material, placed, judge, scene, shadows }, { three }) => {
+      const { blobs } = await import('/tests/foliage.js'), { displaced } = await import('/tests/texel-alpha.js');
+      const bumps = blobs(7, 5), { data } = bumps.image;
+      for (let i = 0; i < data.length; i += 4) data[i] = data[i + 3];
+      Object.assign(bumps, { wrapS: three.MirroredRepeatWrapping, wrapT: three.RepeatWrapping, rotation: 0.2 });
+      bumps.repeat.set(1.3, 0.9);
+      const sheet = placed(new three.PlaneGeometry(2.4, 2, 24, 20).rotateX(-Math.PI / 2), [0.2, 1.4, 0.3]);
+      sheet.material = Object.assign(material.clone(), { displacementMap: bumps, displacementScale: 0.7, displacementBias: -0.2, side: three.DoubleSide });
+      const ball = placed(new three.SphereGeometry(0.5, 24, 16), [-1.6, 0.8, 1.4]);
+      ball.material = Object.assign(material.clone(), { displacementMap: bumps, displacementScale: 0.3 });
+      const drawn = [sheet, ball].map((mesh) => mesh.geometry);
+      const asDrawn = () => { for (const mesh of [sheet, ball]) mesh.geometry = displaced(mesh); };
+      const asBefore = () => { [sheet.geometry, ball.geometry] = drawn; };
+      await judge('displaced', asDrawn);
+      asBefore();
+      sheet.material.displacementScale = 0.4;
+      ball.material.displacementBias = 0.1;
+      for (let i = 0; i < data.length; i += 4) data[i] = 255 - data[i];
+      bumps.needsUpdate = true;
+      await judge('changed', asDrawn);
+      asBefore();
+      scene.remove(ball);
+      const bent = Object.assign(sheet, { name: 'bent' });
+      bent.geometry = bent.geometry.clone();
+      bent.geometry.morphAttributes.position = [bent.geometry.attributes.position.clone()];
+      bent.updateMorphTargets();
+      shadows.render(scene, new three.PerspectiveCamera());
+    }, { looked });
+    assertRight(told);
+    assert.deepEqual(warnings, ["Mesh 'bent' casts no shadow, and receives only shadows of lights that are looked up: its material's displacementMap moves vertices that bones or morph targets move, too."]);
   });
 
 test('vertices of the GPU alone, instances with morph targets, far instances: a warning each', async () => {
@@ -171,7 +193,7 @@ test('vertices of the GPU alone, instances with morph targets, far instances: a 
   assert.match(warnings[2], /^Mesh 'far' has imprecise shadows: /);
 });
 
-for (const release of ['three-0.152', 'three'])
+for (const release of releasesOf('three-0.152', 'three'))
   test(`shaders that inline chunks, and shaders of one's own, in ${release}`, async () => {
     const { told, warnings } = await inCourt(async ({ scene, ground, chest, wall, columns, judge, draw }, { three }) => {
       const { ShaderChunk, ShaderLib, UniformsUtils } = three;

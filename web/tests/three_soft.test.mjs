@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { useBrowser } from './support/browser.mjs';
 import { pointsOfLight } from './support/native.mjs';
-import { inFoliage } from './support/three.mjs';
+import { inFoliage, inPlaceOf } from './support/three.mjs';
 
 const shared = useBrowser({ angle: 'gl-egl' });
 
@@ -16,10 +16,9 @@ const kinds = [
 ];
 
 for (const [release, kind, position, radius, light] of kinds)
-  test(`boxes, sheets and a receiver that masks lack, ${kind} in ${release}`, async () => {
+  test(`boxes, sheets and a receiver that masks lack, ${kind} in ${inPlaceOf(release)}`, async () => {
     const { told } = await inFoliage(shared, async ({ three, ExactShadows, rested }, { floorOf, white, comparedShares }, given) => {
       const { renderer, scene, light: lamp, camera } = floorOf(window.page, { ...given, width: 150, height: 100 });
-      if ('useLegacyLights' in renderer) renderer.useLegacyLights = false;
       const added = (geometry, settings, at, turned = [0, 0, 0]) => {
         const mesh = new three.Mesh(geometry, white(settings));
         mesh.position.set(...at);

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { useBrowser } from './support/browser.mjs';
-import { inFoliage } from './support/three.mjs';
+import { inFoliage, inPlaceOf } from './support/three.mjs';
 
 const shared = useBrowser({ angle: 'gl-egl' });
 
@@ -17,7 +17,6 @@ const assertRight = (name, { compared, tinted, wrong, beyond }) => {
 /** Panes above one another, of several kinds, and a pillar; [mesh, tint]. */
 const window3 = async ({ three, ExactShadows, rested }, { floorOf, comparedTints }, { kind, position, inGlobe }) => {
   const { renderer, scene, light, camera } = floorOf(window.page, { kind, position });
-  if ('useLegacyLights' in renderer) renderer.useLegacyLights = false; // they are brighter than white
   const tints = new Map();
   const added = (mesh, tint, at, turned = [0, 0, 0]) => {
     mesh.position.set(...at);
@@ -45,7 +44,7 @@ const window3 = async ({ three, ExactShadows, rested }, { floorOf, comparedTints
 
 for (const [release, kind, position, inGlobe] of [['three-0.152', 'DirectionalLight', [0.3, 1, 0.25]], ['three', 'DirectionalLight', [0.3, 1, 0.25]],
   ['three', 'PointLight', [0.5, 3.4, 0.4]], ['three', 'PointLight', [0.2, 3.1, 0.3], true]])
-  test(`stained glass in a row, ${kind}${inGlobe ? ' in a globe' : ''}, in ${release}`, async () => {
+  test(`stained glass in a row, ${kind}${inGlobe ? ' in a globe' : ''}, in ${inPlaceOf(release)}`, async () => {
     const { told } = await inPage(window3, { release, given: { kind, position, inGlobe } });
     console.log(told);
     assert.equal(told.lookedUp, 1);
@@ -111,12 +110,66 @@ test('none, opaque and tint, looked up and in masks; changes; a sentence for oth
   assert.match(told.rendered, /^transparentCast is 'tinted'/);
 });
 
+test('panes whose textures are of colour, opacity and transmission', async () => {
+  const { told } = await inPage(async ({ three, ExactShadows }, { floorOf, comparedTints, blobs, sampled, wholly }) => {
+    const { renderer, scene, light, camera } = floorOf(window.page, { kind: 'PointLight', position: [0.3, 3.6, 0.4] });
+    /** Red, green and blue of a texture of noise. */
+    const coloured = (width, height) => {
+      const texture = blobs(width, height);
+      for (let i = 0; i < texture.image.data.length; ++i) if (i % 4 < 3) texture.image.data[i] = 60 + (i * 97 + (i >> 3) * 31) % 190;
+      return texture;
+    };
+    const added = (material, at, turned) => {
+      const mesh = new three.Mesh(new three.PlaneGeometry(1.6, 1.4), material);
+      mesh.position.set(...at);
+      mesh.rotation.set(...turned);
+      mesh.castShadow = mesh.receiveShadow = true;
+      scene.add(mesh);
+      return mesh;
+    };
+    const color = new three.Color().setRGB(1, 0.8, 0.6, three.LinearSRGBColorSpace);
+    const blended = added(new three.MeshLambertMaterial({ color, map: coloured(5, 4), alphaMap: blobs(3, 6, { green: true }), transparent: true, opacity: 0.8, side: three.DoubleSide }), [-0.7, 1.2, -0.4], [-1.4, 0.1, 0.2]);
+    blended.geometry.setAttribute('uv1', blended.geometry.attributes.uv.clone());
+    for (const uv of [blended.geometry.attributes.uv1.array]) for (let i = 0; i < uv.length; ++i) uv[i] = 1 - 0.8 * uv[i];
+    blended.material.alphaMap.channel = 1;
+    const glass = added(new three.MeshPhysicalMaterial({ color, map: coloured(4, 4), transmissionMap: coloured(6, 5), transmission: 0.9, side: three.DoubleSide }), [0.8, 0.9, 0.3], [-1.6, 0.2, 0.1]);
+    for (const { map } of [blended.material, glass.material]) Object.assign(map, { wrapS: three.RepeatWrapping, rotation: 0.3 });
+    const shadows = new ExactShadows(renderer, { transparentCast: 'tint' }).add(scene);
+    const tintOf = ({ material }, hit) => {
+      if (!material.transparent && !material.transmission) return null;
+      const { map, alphaMap, transmissionMap, opacity, transparent, transmission = 0 } = material;
+      if (!hit) return [1, 1, 1];
+      const at = (texture, channel) => (texture ? sampled(texture, texture.channel === 1 ? hit.uv1 : hit.uv, channel) : 1);
+      const alpha = transparent ? opacity * at(map, 3) * at(alphaMap, 1) : 1;
+      return ['r', 'g', 'b'].map((name, i) => color[name] * at(map, i) * (1 - alpha * (1 - transmission * at(transmissionMap, 0))));
+    };
+    const told = {};
+    const judge = async (name) => {
+      told[`${name} lookedUp`] = await wholly(window.page, shadows, scene, camera);
+      told[name] = comparedTints(renderer, scene, camera, light, tintOf);
+    };
+    await judge('at first');
+    color.setRGB(0.5, 1, 1, three.LinearSRGBColorSpace);
+    for (const { material } of [blended, glass]) material.color.copy(color);
+    glass.material.transmission = 0.6;
+    blended.material.map.offset.set(0.3, 0.1);
+    await judge('changed');
+    return { ...told, error: renderer.getContext().getError() };
+  });
+  console.log(told);
+  assert.equal(told.error, 0);
+  for (const name of ['at first', 'changed']) {
+    assert.equal(told[`${name} lookedUp`], 1);
+    assertRight(name, told[name]);
+  }
+});
+
 test('leaves that are see-through and alpha-tested are cut out', async () => {
-  const { told } = await inPage(async ({ ExactShadows, rested, redOf, comparedWithRays }, { floorOf, treeOf, leafAtlas, white }) => {
+  const { told } = await inPage(async ({ ExactShadows, redOf, comparedWithRays }, { floorOf, treeOf, leafAtlas, white, wholly }) => {
     const { renderer, scene, light, camera } = floorOf(window.page);
     scene.add(treeOf(white({ map: leafAtlas(), alphaTest: 0.4, transparent: true })));
     const shadows = new ExactShadows(renderer).add(scene);
-    const lookedUp = await rested(shadows, scene, camera);
+    const lookedUp = await wholly(window.page, shadows, scene, camera);
     return { lookedUp, ...comparedWithRays(redOf(renderer), renderer, scene, camera, light, { seeThroughCasts: true }) };
   });
   console.log(told);
@@ -183,7 +236,11 @@ test('what tints otherwise is told once, by name and reason', async () => {
     const several = new three.PlaneGeometry(1, 1);
     several.addGroup(0, 3, 0);
     several.addGroup(3, 3, 1);
-    added('textured', see({ map: blobs(4, 4) }));
+    const picture = new three.WebGLRenderTarget(4, 4);
+    renderer.setRenderTarget(picture);
+    renderer.clear();
+    renderer.setRenderTarget(null);
+    added('textured', see({ map: picture.texture }));
     added('plain', see());
     added('two', [see(), see({ opacity: 0.2 })], several); // each part tints by its own material
     added('frame', [white(), see()], several);

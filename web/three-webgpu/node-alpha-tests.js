@@ -7,6 +7,9 @@ const otherwise = "has the shadow of three.js's own map";
 /** A texture that three.js can upload now, or null. */
 const uploadable = (texture) => (texture.isRenderTargetTexture || (texture.version > 0 && texture.image && texture.image.complete !== false) ? texture : null);
 
+/** Lookups of a WebGPURenderer sample no product of several textures. */
+const noProducts = { of: () => null };
+
 /** Whether nodes take the place of what a material's textures and opacity say of its alpha. */
 const hasOwnAlpha = ({ colorNode, opacityNode, alphaTestNode, maskNode, fragmentNode }) => Boolean(colorNode ?? opacityNode ?? alphaTestNode ?? maskNode ?? fragmentNode);
 
@@ -15,12 +18,17 @@ export class NodeAlphaTests {
 
   /** `reading`: a TexelReading. */
   constructor(reading) {
-    this.#tests = new AlphaTests(uploadable, reading, otherwise);
+    this.#tests = new AlphaTests(uploadable, reading, noProducts, otherwise);
   }
 
   /** As AlphaTests.of(). */
-  of(material, cutsOut) {
-    if (!cutsOut || !hasOwnAlpha(material)) return this.#tests.of(material, cutsOut);
-    return { ...this.#tests.of(material, false), why: `${otherwise}: nodes compute its alpha` };
+  of(material, cutsOut, geometry) {
+    if (!cutsOut || !hasOwnAlpha(material)) return this.#tests.of(material, cutsOut, geometry);
+    return { ...this.#tests.of(material, false, geometry), why: `${otherwise}: nodes compute its alpha` };
+  }
+
+  /** As AlphaTests.tintOf(). */
+  tintOf(mesh) {
+    return this.#tests.tintOf(mesh);
   }
 }

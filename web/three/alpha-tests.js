@@ -1,6 +1,8 @@
 // Alpha-tested materials of three.js in the mask engine's form.
 
 import { sameNumbers } from './mesh-shape.js';
+import { blends, colourOf, tintObstacleOf, tintOf, tintTexturesOf } from './see-through.js';
+import { texcoordsOfTexture } from './texture-products.js';
 
 /** Choices of how alpha-tested meshes with castShadow cast: in masks, and in lookups. */
 const casting = {
@@ -19,44 +21,40 @@ export function alphaTestedCasting(choice) {
 /** Whether alpha decides where a surface is. */
 export const isAlphaTested = (material) => material.alphaTest > 0;
 
-/** The texture that holds its alpha: alphaMap, with alpha in green, takes precedence over map. */
+/** The texture by whose coordinates its alpha is sampled: alphaMap, with alpha in green, or map. */
 const textureOf = ({ alphaMap, map }) => alphaMap ?? map ?? null;
 
 /** three.js's name of that texture's coordinates. */
-export const texcoordsNameOf = (material) => `uv${textureOf(material)?.channel || ''}`;
+export const texcoordsNameOf = (material) => texcoordsOfTexture(textureOf(material));
 
 export const sameAlpha = (a, b) => a.texture === b.texture && a.channel === b.channel && a.opacity === b.opacity &&
   a.cutoff === b.cutoff && a.cutsOut === b.cutsOut && a.texels === b.texels && a.why === b.why && sameNumbers(a.texcoordTransform, b.texcoordTransform);
 
-/** The texture on the GPU as a WebGLRenderer uses it for the next picture, or null. */
-export function uploadedBy(renderer, texture) {
-  const { image, version } = texture;
-  const kept = renderer.properties.get(texture);
-  const waits = version > 0 && kept.__version !== version && !texture.isRenderTargetTexture;
-  if ((waits || texture.isVideoTexture) && image && image.complete !== false) renderer.initTexture(texture);
-  return kept.__webglTexture ?? null;
-}
+export const sameTint = (a, b) => a.texels === b.texels && sameNumbers(a.tint, b.tint) && sameNumbers(a.texcoordTransform, b.texcoordTransform);
 
 export class AlphaTests {
   #uploaded;
   #reading;
+  #products;
   #otherwise;
 
   /**
    * `uploaded(texture)`: what is on the GPU of it for the next picture, or null; `reading`: a
-   * TexelReading; `otherwise`: what meshes do whose texture it can't read, a verb with its object.
+   * TexelReading; `products`: TextureProducts; `otherwise`: what meshes do whose texture it can't
+   * read, a verb with its object.
    */
-  constructor(uploaded, reading, otherwise = 'casts nothing') {
+  constructor(uploaded, reading, products, otherwise = 'casts nothing') {
     this.#uploaded = uploaded;
     this.#reading = reading;
+    this.#products = products;
     this.#otherwise = otherwise;
   }
 
   /**
-   * A material's alpha, in the form of ShadowMasks.setAlpha(). `cutsOut`: whether lookups are to have
-   * what it leaves, which they do once its texels are read; `why`: a clause if that isn't exact.
+   * The alpha of a geometry's material, in the form of ShadowMasks.setAlpha(). `cutsOut`: whether lookups are
+   * to have what it leaves, which they do once its texels are read; `why`: a clause if that isn't exact.
    */
-  of(material, cutsOut) {
+  of(material, cutsOut, geometry) {
     const texture = textureOf(material);
     const alpha = { texture: null, channel: 'alpha', opacity: material.opacity, cutoff: material.alphaTest,
       texcoordTransform: [1, 0, 0, 0, 1, 0, 0, 0, 1], cutsOut, texels: null, why: '' };
@@ -69,14 +67,38 @@ export class AlphaTests {
     }
     if (!webGlTexture) return { ...alpha, cutsOut: false };
     if (texture.matrixAutoUpdate) texture.updateMatrix();
-    return { ...alpha, texture: webGlTexture, texcoordTransform: [...texture.matrix.elements], ...(cutsOut && this.#texelsOf(material, texture, webGlTexture, alpha.channel)) };
+    const single = { texture, webGlTexture, texcoordTransform: [...texture.matrix.elements] };
+    const { waits, product, without } = this.#productOf(material, geometry);
+    const { texture: sampled, ...used } = product ?? single;
+    Object.assign(alpha, { texture: used.webGlTexture, texcoordTransform: used.texcoordTransform });
+    if (!cutsOut) return alpha;
+    const { number, why } = this.#reading.of(sampled, used.webGlTexture, alpha.channel);
+    if (number === null || why || waits) return { ...alpha, cutsOut: false, why: why && `${this.#otherwise}: ${why}` };
+    return { ...alpha, texels: number, why: without ? "casts the shadow of its alphaMap alone, without its map's alpha" : '' };
   }
 
-  #texelsOf({ alphaMap, map }, texture, webGlTexture, channel) {
-    const { number, why } = this.#reading.of(texture, webGlTexture, channel);
-    if (number === null || why) return { cutsOut: false, why: why && `${this.#otherwise}: ${why}` };
-    const other = alphaMap && map && this.#uploaded(map);
-    const mapped = other ? this.#reading.of(map, other, 'alpha') : { opaque: true };
-    return { texels: number, why: mapped.opaque || mapped.number === null ? '' : "casts the shadow of its alphaMap alone, without its map's alpha" };
+  /** {product: of alphaMap and map, if both have alpha; waits: that isn't known yet; without: there can be none}. */
+  #productOf({ alphaMap, map }, geometry) {
+    const webGlTexture = alphaMap && map && this.#uploaded(map);
+    if (!webGlTexture) return {};
+    const { number, opaque, why } = this.#reading.of(map, webGlTexture, 'alpha');
+    if (number !== null && opaque) return {};
+    const product = number === null ? null : this.#products.of([alphaMap, map, null], geometry);
+    return { product, waits: number === null && !why, without: !product };
+  }
+
+  /**
+   * What a mesh's see-through material lets through: {tint, texels, texcoordTransform} as in ShadowMasks.setTint(),
+   * without its textures until they are read; `why`: a clause if that isn't exact.
+   */
+  tintOf({ geometry, material }) {
+    const plain = { tint: tintOf(material), texels: null, texcoordTransform: [1, 0, 0, 0, 1, 0, 0, 0, 1], why: tintObstacleOf(geometry, material) };
+    const textures = tintTexturesOf(material), present = textures.filter(Boolean);
+    if (present.length === 0 || !present.every((texture) => this.#uploaded(texture))) return plain;
+    const { opacity, transmission = 0 } = material;
+    const product = this.#products.of(textures, geometry, { opacity: blends(material) ? opacity : -1, transmission });
+    const { number, why } = product ? this.#reading.of(product.texture, product.webGlTexture, 'colour') : { number: null, why: 'unlike' };
+    if (number === null) return why ? { ...plain, why: tintObstacleOf(geometry, material, textures) } : plain;
+    return { ...plain, tint: colourOf(material), texels: number, texcoordTransform: product.texcoordTransform };
   }
 }

@@ -1,13 +1,14 @@
 // Keeps the mask engine's meshes in step with three.js's scene.
 
 import { BackSide, DoubleSide, Matrix4 } from 'three';
-import { alphaTestedCasting, isAlphaTested, sameAlpha, texcoordsNameOf } from './alpha-tests.js';
+import { alphaTestedCasting, isAlphaTested, sameAlpha, sameTint, texcoordsNameOf } from './alpha-tests.js';
 import { unclipped } from './clippings.js';
 import { MeshParts, whyNotInMasks } from './mesh-parts.js';
 import { MeshQueue } from './mesh-queue.js';
 import { isPosed, poseOf, sameNumbers, shapeOf, texcoordsOf, trianglesOf, versionsOf } from './mesh-shape.js';
 import { canPlaceFar, nearOrigin } from './near-origin.js';
-import { isSeeThrough, requireTransparentCast, tintObstacleOf, tintOf } from './see-through.js';
+import { isSeeThrough, requireTransparentCast, tintTextureOf } from './see-through.js';
+import { texcoordsOfTexture } from './texture-products.js';
 
 /** Only meshes of up to this many triangles are prepared within a frame, or merged (in the engine). */
 const fewTriangles = 500, mostMerged = 1024;
@@ -40,8 +41,8 @@ function roleOf({ geometry, material, castShadow, receiveShadow }, alphaTested, 
 }
 
 /** A role and its key. */
-function made(casts, tested, side, visible = true) {
-  const texcoords = tested && texcoordsNameOf(tested), inward = side === BackSide, doubleSided = side === DoubleSide;
+function made(casts, tested, side, visible = true, texcoords = tested && texcoordsNameOf(tested)) {
+  const inward = side === BackSide, doubleSided = side === DoubleSide;
   return { casts, tested, texcoords, doubleSided, inward, visible, key: `${casts} ${doubleSided} ${inward} ${visible} ${texcoords}` };
 }
 
@@ -49,7 +50,10 @@ function made(casts, tested, side, visible = true) {
 const seeThroughRoles = {
   none: () => null,
   opaque: ({ side }) => made(true, null, side, false),
-  tint: (material) => ({ ...made(false, null, material.side, false), tinting: material }),
+  tint(material) {
+    const texture = tintTextureOf(material);
+    return { ...made(false, null, material.side, false, texture && texcoordsOfTexture(texture)), tinting: material };
+  },
 };
 
 const plainRoles = []; // by whether they cast, and side
@@ -93,6 +97,7 @@ export class Casters {
   #alphaTests;
   #clippings;
   #touched;
+  #displacements;
   #failed;
   #queue;
   #prepared = new Map(); // by key: {number or null while pending, users, origin of its positions, isFar: whether that isn't 0}
@@ -112,10 +117,11 @@ export class Casters {
 
   /**
    * `touched()` is called when the context's state has changed, `failed(sentence)` when a mesh can't
-   * take part.
+   * take part. `displacements`: Displacements, or null for none.
    */
-  constructor(masks, alphaTests, clippings, warnings, { touched, failed }) {
+  constructor(masks, alphaTests, clippings, warnings, { displacements = null, touched, failed }) {
     this.#masks = masks;
+    this.#displacements = displacements;
     this.#warnings = warnings;
     this.#touched = touched;
     this.#failed = failed;
@@ -225,7 +231,8 @@ export class Casters {
 
   /** Whether masks can't show a mesh; warns once of what it lacks. */
   #isLeftOut(part, { casts }, mesh) {
-    const why = whyNotInMasks(part);
+    const why = whyNotInMasks(part) || (part.material.displacementMap ?
+      this.#displacements?.obstacleOf(part) ?? "its material's displacementMap moves vertices in the shader" : '');
     if (why) this.#warn(mesh, `${casts ? 'casts no shadow, and ' : ''}receives only shadows of lights that are looked up: ${why}`);
     return why !== '';
   }
@@ -339,6 +346,7 @@ export class Casters {
   #followShape(mesh, role, had) {
     const { geometry } = mesh;
     const versions = versionsOf(mesh, role.texcoords, this.#versions);
+    versions[8] = mesh.material.displacementMap ? this.#displacements.versionOf(mesh) : '';
     if (had.geometry === geometry && had.roleKey === role.key && sameNumbers(had.versions, versions)) return;
     Object.assign(had, { geometry, roleKey: role.key, versions: [...versions] });
     this.#use(`${geometry.uuid} ${versions} ${role.key}`, had);
@@ -378,13 +386,13 @@ export class Casters {
 
   /** The shape of a mesh; its origin becomes the entry's. */
   #shapeOf(mesh, { casts, tested, texcoords, doubleSided, inward, visible }, entry) {
-    const drawn = shapeOf(mesh);
+    const drawn = shapeOf(mesh, (positions) => (mesh.material.displacementMap ? this.#displacements.moved(mesh, positions) : positions));
     const shape = { ...drawn, ...nearOrigin(drawn.positions), casts, doubleSided, visible };
     entry.origin = shape.origin;
     entry.isFar = shape.origin.some((at) => at !== 0);
     if (inward) shape.indices.reverse();
     const { first, positions: { length } } = shape;
-    return tested ? { ...shape, alphaTested: true, texcoords: texcoordsOf(mesh, texcoords).subarray(2 * first, 2 * first + length / 1.5) } : shape;
+    return texcoords ? { ...shape, alphaTested: Boolean(tested), texcoords: texcoordsOf(mesh, texcoords).subarray(2 * first, 2 * first + length / 1.5) } : shape;
   }
 
   #place(mesh, number, origin, had) {
@@ -433,7 +441,7 @@ export class Casters {
   /** Sets the alpha of all instances, if it has changed. */
   #setAlpha(mesh, material, had) {
     const { ids, alphas, cutsOut, whole } = had;
-    const alpha = this.#alphaTests.of(material, cutsOut);
+    const alpha = this.#alphaTests.of(material, cutsOut, mesh.geometry);
     const why = cutsOut && !(alphas[0] && sameAlpha(alphas[0], alpha)) && (alpha.why || obstacleOf(mesh));
     if (why) this.#warnings.warn(whole, `Alpha-tested mesh '${whole.name}' ${why}.`);
     for (const [i, id] of ids.entries()) {
@@ -446,14 +454,13 @@ export class Casters {
 
   /** Sets the tint of all instances, if it has changed. `material`: a see-through one, or none. */
   #setTint(mesh, material, { ids, tints, whole }) {
-    const tint = material ? tintOf(material) : null;
+    const tint = material ? this.#alphaTests.tintOf(mesh) : null;
     for (const [i, id] of ids.entries()) {
-      if (tint ? tints[i] && sameNumbers(tints[i], tint) : !tints[i]) continue;
-      this.#masks.setTint(id, tint);
+      if (tint ? tints[i] && sameTint(tints[i], tint) : !tints[i]) continue;
+      this.#masks.setTint(id, tint?.tint ?? null, tint ?? {});
       tints[i] = tint;
     }
-    const why = material && tintObstacleOf(mesh);
-    if (why) this.#warnings.warn(whole, `See-through mesh '${whole.name}' ${why}.`);
+    if (tint?.why) this.#warnings.warn(whole, `See-through mesh '${whole.name}' ${tint.why}.`);
   }
 
   #drop(mesh) {

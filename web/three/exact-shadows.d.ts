@@ -49,17 +49,16 @@ export interface LightShadow {
  * Exact shadows for directional, point and spot lights with castShadow: cast by meshes with
  * castShadow, and received by meshes with receiveShadow of standard, physical, Lambert, Phong, toon
  * and shadow materials, and of your own with lights. Meshes may be instanced, batched, skinned and
- * morphed, and have several materials. Wireframes and displaced surfaces cast nothing, and one
- * warning in the console names each. Pictures have no shadows until the first meshes are ready; those
+ * morphed, displaced, and have several materials. Wireframes and displaced meshes that bend cast nothing, and
+ * one warning in the console names each. Pictures have no shadows until the first meshes are ready; those
  * that are added later take part once they are (cost.pending). A light that has rested for half a
  * second is looked up once a worker has built its map of the casters that rest. Those that have moved
  * within half a second are counted on top, until they have rested for five seconds and another map
  * holds them. A light with a radius is looked up while no caster moves, nor cutouts or tints cast. A caster in the map that starts to move ends it: the light has a mask until a map
  * without that caster is ready.
  *
- * An alpha-tested surface (alphaTest, with the alpha of map or the green of alphaMap; with both,
- * alphaMap's) receives shadow where it is solid, and surfaces seen through its holes have their
- * own. Where a light is looked up it also casts what its alpha leaves; see alphaTestedCast.
+ * An alpha-tested surface (alphaTest, with the alpha of map, the green of alphaMap, or their product)
+ * receives shadow where it is solid, and surfaces seen through its holes have their own. Where a light is looked up it also casts what its alpha leaves; see alphaTestedCast.
  *
  * See-through surfaces (transparent, alphaHash, transmission) receive only the shadows of lights that
  * are looked up. They cast as transparentCast says, or as alphaTestedCast if they are alpha-tested.
@@ -105,9 +104,9 @@ export class ExactShadows extends EventTarget {
    * Nothing in other lights.
    *
    * With transparent or alphaHash and transmission, that is color * (1 - opacity * (1 - transmission)). A
-   * mesh whose triangles close it, like a box, counts once on a ray, others at each triangle. Textures,
-   * vertex colours and attenuation do not tint; the console names such meshes, once. A ShadowMaterial
-   * takes the mean of the colours.
+   * mesh whose triangles close it, like a box, counts once on a ray, others at each triangle. map,
+   * alphaMap and transmissionMap vary it as in the picture. Vertex colours and attenuation do not tint; the
+   * console names such meshes, once. A ShadowMaterial takes the mean of the colours.
    */
   transparentCast: TransparentCast;
 

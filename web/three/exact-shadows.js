@@ -2,10 +2,11 @@
 
 import { Matrix4, Vector2, Vector3, Vector4 } from 'three';
 import { mostLights, ShadowMasks } from '../masks/shadow-masks.js';
-import { AlphaTests, alphaTestedCasting, uploadedBy } from './alpha-tests.js';
+import { AlphaTests, alphaTestedCasting } from './alpha-tests.js';
 import { Casters } from './casters.js';
 import { Clippings } from './clippings.js';
 import { CutoutMaps } from './cutout-maps.js';
+import { Displacements } from './displacements.js';
 import { mostSlots, slotName } from './lit.glsl.js';
 import { MaskTextures } from './mask-textures.js';
 import { MaskViews } from './mask-views.js';
@@ -16,6 +17,7 @@ import { needsMask, RestingLights } from './resting-lights.js';
 import { castingLights } from './scene-lights.js';
 import { requireTransparentCast } from './see-through.js';
 import { TexelReading } from './texel-reading.js';
+import { TextureProducts, uploadedIn } from './texture-products.js';
 import { ancestorTakesPart, visibleOf } from './visible-objects.js';
 import { Warnings } from './warnings.js';
 
@@ -45,6 +47,8 @@ export class ExactShadows extends EventTarget {
   #cutouts = null;
   #views = null;
   #texels = null;
+  #products = null;
+  #displacements = null;
   #warnings = new Warnings();
   #lookedUp = 0; // number of lights in the last picture
   #lights = [];  // {light: three.js's, numbers: MaskLight} of the last picture
@@ -84,6 +88,8 @@ export class ExactShadows extends EventTarget {
     this.#resting?.forget();
     this.#cutouts?.forget();
     this.#texels?.forget();
+    this.#products?.forget();
+    this.#displacements?.forget();
     this.#textures.clear();
   };
   #restore = () => {
@@ -107,7 +113,7 @@ export class ExactShadows extends EventTarget {
     this.#keepsState = keepsState;
     this.#mostLookedUp = Math.min(lookups, mostSlots);
     this.#textures = new MaskTextures(renderer);
-    this.#patches = new MaterialPatches(this.#uniforms, renderer.capabilities.maxTextures, this.#mostLookedUp, (camera) => this.#views?.show(camera));
+    this.#patches = new MaterialPatches(this.#uniforms, renderer.capabilities.maxTextures, this.#mostLookedUp, (camera) => this.#views?.show(camera), (material) => this.#displacements?.lacks(material) ?? true);
     const canvas = renderer.domElement;
     canvas.addEventListener('webglcontextlost', this.#forget);
     canvas.addEventListener('webglcontextrestored', this.#restore);
@@ -118,8 +124,10 @@ export class ExactShadows extends EventTarget {
         this.#masks = masks;
         this.#resetRenderer();
         this.#texels = new TexelReading(renderer, masks, () => this.#resetRenderer());
-        this.#casters = new Casters(masks, new AlphaTests((texture) => uploadedBy(renderer, texture), this.#texels), new Clippings(renderer), this.#warnings,
-          { touched: () => this.#resetRenderer(), failed: (message) => this.#tell(message) });
+        this.#products = new TextureProducts(renderer, masks, () => this.#resetRenderer());
+        this.#displacements = new Displacements(renderer, masks, () => this.#resetRenderer());
+        this.#casters = new Casters(masks, new AlphaTests((texture) => uploadedIn(renderer, texture), this.#texels, this.#products), new Clippings(renderer), this.#warnings,
+          { displacements: this.#displacements, touched: () => this.#resetRenderer(), failed: (message) => this.#tell(message) });
         this.#views = new MaskViews(renderer, masks, this.#casters, (view, viewport) => this.#show(view, viewport));
         this.#resting = new RestingLights(masks, this.#mostLookedUp, () => this.#resetRenderer());
         this.#cutouts = new CutoutMaps(masks, () => this.#resetRenderer());
@@ -253,6 +261,8 @@ export class ExactShadows extends EventTarget {
     this.#casters = null;
     this.#resting?.forget();
     this.#resting = null;
+    this.#products?.dispose();
+    this.#displacements?.dispose();
     this.#texels?.dispose();
     this.#texels = null;
     this.#masks?.dispose();
@@ -327,6 +337,7 @@ export class ExactShadows extends EventTarget {
     const { lights, meshes } = visibleOf(scene, camera, this.#rootsOf(scene));
     if (!this.#lost) {
       this.#texels?.advance();
+      this.#products?.advance();
       this.#casters?.follow(meshes, this.alphaTestedCast, this.transparentCast);
       const soft = this.#mostLookedUp > 0 ? lights.filter((light) => light.castShadow && this.#radii.get(light) > 0) : [];
       this.#patches.lookFor({ cutouts: this.#casters?.cutsOut, tints: this.#casters?.tints, soft: soft.length > 0 });

@@ -19,10 +19,9 @@ const isLit = (material) => Boolean(material.isMeshStandardMaterial || material.
 
 /**
  * Whether masks show a material's surfaces: behind see-through and dithered ones and wireframes
- * others are visible, and displaced ones are elsewhere.
+ * others are visible.
  */
-const isMasked = (material) => Boolean(material.isShadowMaterial) ||
-  !(isSeeThrough(material) || material.wireframe || material.displacementMap);
+const showsWhole = (material) => Boolean(material.isShadowMaterial) || !(isSeeThrough(material) || material.wireframe);
 
 /** Whether casting lights light a material. */
 export const takesShadow = (material) => Boolean(material.isShadowMaterial) || isLit(material);
@@ -62,8 +61,8 @@ function withinTriangles(shader) {
 }
 
 /** A fragment shader with masks, or null if it doesn't light surfaces as three.js does. */
-function withShadows(source, material, slots, casters) {
-  const seeThrough = isMasked(material) ? '' : '#define EDGESHADE_SEE_THROUGH\n';
+function withShadows(source, material, slots, casters, masked) {
+  const seeThrough = masked ? '' : '#define EDGESHADE_SEE_THROUGH\n';
   const declared = `${seeThrough}${declarations(slots, casters)}`;
   const text = source.includes(lightsDeclared) ? source.replace(lightsDeclared, (found) => `${found}\n${declared}`)
     : source.replace(/\bvoid\s+main\s*\(/, (found) => `${declared}\n${found}`); // the chunk is inlined
@@ -91,16 +90,22 @@ export class MaterialPatches {
   #most;
   #slots;
   #draws;
+  #lacks;
   #casters = { cutouts: false, tints: false, soft: false }; // that programs can look up
 
   /** `uniforms`: for declarations(), in three.js's form, shared by all materials;
    * `mostTextures`: limit per program; `most`: lights' maps at once; `draws(camera)` is called
-   * before three.js draws a material. */
-  constructor(uniforms, mostTextures, most, draws) {
+   * before three.js draws a material; `lacks(material)`: whether masks lack its displaced vertices. */
+  constructor(uniforms, mostTextures, most, draws, lacks) {
     this.#draws = draws;
+    this.#lacks = lacks;
     this.#uniforms = uniforms;
     this.#mostTextures = mostTextures;
     this.#most = this.#slots = most;
+  }
+
+  #isMasked(material) {
+    return showsWhole(material) && !(material.displacementMap && this.#lacks(material));
   }
 
   /** Number of lights' maps for which all added materials have room. */
@@ -130,8 +135,8 @@ export class MaterialPatches {
     if (known) {
       known.casts.value = casting > 0;
       known.held.value = casting > 1;
-      if (known.masked !== isMasked(material)) material.needsUpdate = true;
-      known.masked = isMasked(material);
+      if (known.masked !== this.#isMasked(material)) material.needsUpdate = true;
+      known.masked = this.#isMasked(material);
     }
     if (known || !takesShadow(material)) return;
     const slots = slotsOf(material, this.#mostTextures, this.#most);
@@ -139,11 +144,11 @@ export class MaterialPatches {
     const { onBeforeCompile, customProgramCacheKey, onBeforeRender } = material;
     const own = Object.hasOwn(material, 'customProgramCacheKey');
     const uniforms = { ...this.#uniforms, edgeshadeCasts: { value: casting > 0 }, edgeshadeHeld: { value: casting > 1 } };
-    this.#patched.set(material, { onBeforeCompile, customProgramCacheKey, onBeforeRender, own, ownRender: Object.hasOwn(material, 'onBeforeRender'), casts: uniforms.edgeshadeCasts, held: uniforms.edgeshadeHeld, masked: isMasked(material) });
+    this.#patched.set(material, { onBeforeCompile, customProgramCacheKey, onBeforeRender, own, ownRender: Object.hasOwn(material, 'onBeforeRender'), casts: uniforms.edgeshadeCasts, held: uniforms.edgeshadeHeld, masked: this.#isMasked(material) });
     const reference = new WeakRef(material);
     this.#alive.add(reference);
     this.#gone.register(material, reference);
-    const key = `${this.#key} ${slots}`, casters = () => this.#casters;
+    const key = `${this.#key} ${slots}`, casters = () => this.#casters, isMasked = () => this.#isMasked(material);
     const draws = this.#draws;
     let takes = true; // known once its shader is made, which is after the first call
     material.onBeforeRender = function (renderer, scene, camera, geometry, object, ...given) {
@@ -153,7 +158,7 @@ export class MaterialPatches {
     };
     material.onBeforeCompile = function (shader, renderer) {
       onBeforeCompile.call(this, shader, renderer);
-      const changed = withShadows(shader.fragmentShader, this, slots, casters());
+      const changed = withShadows(shader.fragmentShader, this, slots, casters(), isMasked());
       if (changed === null) {
         warnOf(this);
         return;
@@ -169,7 +174,7 @@ export class MaterialPatches {
     // three.js's own key is the text of onBeforeCompile, which is now the patch's.
     const before = own ? null : onBeforeCompile.toString();
     material.customProgramCacheKey = function () {
-      return `${key} ${Object.values(casters())} ${isMasked(this)} ${before ?? customProgramCacheKey.call(this)}`;
+      return `${key} ${Object.values(casters())} ${isMasked()} ${before ?? customProgramCacheKey.call(this)}`;
     };
     material.needsUpdate = true;
   }

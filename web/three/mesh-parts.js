@@ -21,11 +21,10 @@ function drawnPart({ start, count }, drawRange) {
 /** Instances of a BatchedMesh: {active, visible, geometryIndex} each; null in early releases. */
 const instancesOf = (mesh) => mesh._instanceInfo ?? mesh._drawInfo ?? null;
 
-/** Why a mesh can't be in masks: a clause, or ''. */
+/** Why a mesh can't be in masks, apart from its displacementMap: a clause, or ''. */
 export function whyNotInMasks(mesh) {
   const { material } = mesh;
   if (mesh.geometry.attributes.position.isGLBufferAttribute) return 'its vertices are in a buffer of the GPU alone';
-  if (material.displacementMap) return "its material's displacementMap moves vertices in the shader";
   if (material.wireframe) return 'its material is a wireframe';
   if (mesh.isInstancedMesh && mesh.morphTexture) return 'its instances have morph targets of their own';
   if (mesh.isBatchedMesh && !(instancesOf(mesh) && mesh.getGeometryRangeAt)) return "this release's BatchedMesh does not tell its instances";
@@ -80,7 +79,7 @@ export class MeshParts {
   #treatmentOf(material) {
     const { visible, side, wireframe, displacementMap, uuid } = material;
     const clippings = this.#clippings.of(material);
-    return [visible, side, wireframe, Boolean(displacementMap), (isAlphaTested(material) || isSeeThrough(material)) && uuid,
+    return [visible, side, wireframe, (isAlphaTested(material) || isSeeThrough(material) || displacementMap) && uuid,
       clippings.length ? JSON.stringify(clippings) : ''].join();
   }
 

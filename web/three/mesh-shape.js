@@ -88,17 +88,18 @@ function indicesOf(geometry, range) {
 
 /**
  * {positions, indices, first} of the drawn part of a mesh, in its own space. `first`: number of the
- * first vertex among the mesh's; others than 0 for parts (see MeshParts).
+ * first vertex among the mesh's; others than 0 for parts (see MeshParts). `moved(positions)` returns those of
+ * all vertices as they are drawn.
  */
-export function shapeOf(mesh) {
+export function shapeOf(mesh, moved) {
   const { geometry } = mesh;
   const { ranges } = geometry;
-  if (!ranges) return { positions: positionsOf(mesh), indices: indicesOf(geometry, geometry.drawRange), first: 0 };
+  if (!ranges) return { positions: moved(positionsOf(mesh)), indices: indicesOf(geometry, geometry.drawRange), first: 0 };
   const numbers = ranges.flatMap((range) => [...indicesOf(geometry, range)]);
   let first = Infinity, last = -1;
   for (const n of numbers) {
     first = Math.min(first, n);
     last = Math.max(last, n);
   }
-  return { positions: positionsOf(mesh).subarray(3 * first, 3 * last + 3), indices: Uint32Array.from(numbers, (n) => n - first), first };
+  return { positions: moved(positionsOf(mesh)).subarray(3 * first, 3 * last + 3), indices: Uint32Array.from(numbers, (n) => n - first), first };
 }

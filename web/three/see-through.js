@@ -10,16 +10,34 @@ export function requireTransparentCast(choice) {
 /** Whether other surfaces are visible behind a material's: masks can't show these. */
 export const isSeeThrough = (material) => !material.isShadowMaterial && Boolean(material.transparent || material.alphaHash || material.transmission > 0);
 
-/** The share of red, green and blue that a see-through material lets through, 0 to 1. */
-export function tintOf({ color, opacity, transparent, alphaHash, transmission = 0 }) {
-  const through = 1 - (transparent || alphaHash ? opacity : 1) * (1 - transmission);
-  return ['r', 'g', 'b'].map((name) => Math.min(Math.max((color?.[name] ?? 1) * through, 0), 1) || 0);
+/** Whether three.js heeds a material's alpha. */
+export const blends = ({ transparent, alphaHash }) => Boolean(transparent || alphaHash);
+
+const within = (share) => Math.min(Math.max(share, 0), 1) || 0;
+
+/** A material's colour, 0 to 1. */
+export const colourOf = ({ color }) => ['r', 'g', 'b'].map((name) => within(color?.[name] ?? 1));
+
+/** The share of red, green and blue that a see-through material lets through without its textures, 0 to 1. */
+export function tintOf(material) {
+  const { color, opacity, transmission = 0 } = material;
+  const through = 1 - (blends(material) ? opacity : 1) * (1 - transmission);
+  return ['r', 'g', 'b'].map((name) => within((color?.[name] ?? 1) * through));
 }
 
-/** Why a mesh doesn't tint exactly: a clause, or ''. */
-export function tintObstacleOf({ geometry, material }) {
-  const { map, alphaMap, transmissionMap, vertexColors, attenuationDistance = Infinity, thickness = 0 } = material;
-  const others = [map && 'map', alphaMap && 'alphaMap', transmissionMap && 'transmissionMap', vertexColors && geometry.attributes.color && 'vertex colours',
-    attenuationDistance < Infinity && thickness > 0 && 'attenuation'].filter(Boolean);
+const texturesByName = (material) => ({ alphaMap: blends(material) ? material.alphaMap : null, map: material.map,
+  transmissionMap: material.transmission > 0 ? material.transmissionMap : null });
+
+/** The textures that a see-through material's tint depends on: [alphaMap, map, transmissionMap], null for none. */
+export const tintTexturesOf = (material) => Object.values(texturesByName(material)).map((texture) => texture ?? null);
+
+/** The texture by whose coordinates these are sampled, or none. */
+export const tintTextureOf = (material) => tintTexturesOf(material).find(Boolean);
+
+/** Why a mesh doesn't tint exactly: a clause, or ''. `textures`: those that can't be taken. */
+export function tintObstacleOf({ attributes }, material, textures = []) {
+  const { vertexColors, attenuationDistance = Infinity, thickness = 0 } = material;
+  const others = [...Object.entries(texturesByName(material)).map(([name, texture]) => texture && textures.includes(texture) && name),
+    vertexColors && attributes.color && 'vertex colours', attenuationDistance < Infinity && thickness > 0 && 'attenuation'].filter(Boolean);
   return others.length ? `tints by its colour alone, without its ${others.join(', ')}` : '';
 }

@@ -1,7 +1,8 @@
-// Alpha of three.js's textures, read back from the GPU as materials sample it: decoded, flipped, and
+// Alpha and colours of three.js's textures, read back from the GPU as materials sample it: decoded, flipped, and
 // at level 0.
 
 import { ClampToEdgeWrapping, MirroredRepeatWrapping, NearestFilter } from 'three';
+import { bindOn, drawOver, programOver } from './drawing-over.js';
 
 /** Limits of ShadowMasks.addTexels(). */
 export const full = 4080;
@@ -13,28 +14,28 @@ export const patience = 300;
 /** Changes of a texture after which it isn't read any more. */
 export const mostChanges = 20;
 
-/** A triangle over all of the picture. */
-const vertexShader = `#version 300 es
-void main() { gl_Position = vec4( gl_VertexID == 1 ? 3.0 : - 1.0, gl_VertexID == 2 ? 3.0 : - 1.0, 0.0, 1.0 ); }`;
-
-/** Two alphas a pixel, with two bytes each. */
+/** Two numbers a pixel, with two bytes each; colours follow one another. */
 const fragmentShader = `#version 300 es
 precision highp float;
 precision highp int;
 uniform highp sampler2D source;
-uniform bool green;
+uniform int channel; // 0 to 3, or 4: red, then green, then blue
 uniform int columns;
 out vec4 bytes;
-int alphaAt( int index ) {
+int numberAt( int index ) {
 	ivec2 size = textureSize( source, 0 );
+	int layer = channel < 4 ? 0 : min( index / ( size.x * size.y ), 2 );
+	index -= layer * size.x * size.y;
 	vec4 texel = texelFetch( source, min( ivec2( index % size.x, index / size.x ), size - 1 ), 0 );
-	return int( clamp( green ? texel.g : texel.a, 0.0, 1.0 ) * ${full}.0 + 0.5 );
+	return int( clamp( texel[ channel < 4 ? channel : layer ], 0.0, 1.0 ) * ${full}.0 + 0.5 );
 }
 void main() {
 	int pair = 2 * ( int( gl_FragCoord.y ) * columns + int( gl_FragCoord.x ) );
-	ivec2 two = ivec2( alphaAt( pair ), alphaAt( pair + 1 ) );
+	ivec2 two = ivec2( numberAt( pair ), numberAt( pair + 1 ) );
 	bytes = vec4( two.x & 255, two.x >> 8, two.y & 255, two.y >> 8 ) / 255.0;
 }`;
+
+const channels = { alpha: 3, green: 1, colour: 4 };
 
 export const wrapOf = (mode) => (mode === ClampToEdgeWrapping ? 'clamp' : mode === MirroredRepeatWrapping ? 'mirror' : 'repeat');
 
@@ -48,7 +49,7 @@ export function obstacleOf(texture) {
 export class TexelReading {
   #renderer;
   #masks;
-  #kept = { alpha: new Map(), green: new Map() }; // by WebGLTexture: {version, seen, number, opaque, why, reading}
+  #kept = { alpha: new Map(), green: new Map(), colour: new Map() }; // by WebGLTexture: {version, seen, number, opaque, why, reading}
   #frame = 0;
   #readIn = -1; // the last frame in which a reading began
   #program = null;
@@ -72,7 +73,7 @@ export class TexelReading {
 
   /**
    * The texels of an uploaded texture: {number, or null while they are read; opaque: whether all
-   * alpha is 1; why: a clause if they can't be read, or ''}. `channel`: as in setAlpha().
+   * alpha is 1; why: a clause if they can't be read, or ''}. `channel`: of channels.
    */
   of(texture, webGlTexture, channel) {
     const kept = this.#kept[channel];
@@ -111,61 +112,39 @@ export class TexelReading {
   /** Has the GPU copy the texels into a buffer, which the page doesn't wait for. */
   #begin(texture, webGlTexture, channel) {
     const { image: { width, height }, wrapS, wrapT, magFilter } = texture;
-    const columns = width % 2 ? width : width / 2, rows = width % 2 ? Math.ceil(height / 2) : height;
+    const all = (channel === 'colour' ? 3 : 1) * height; // rows of texels
+    const columns = width % 2 ? width : width / 2, rows = width % 2 ? Math.ceil(all / 2) : all;
     const gl = this.#renderer.getContext();
     const buffer = gl.createBuffer();
     this.#masks.keptWhile(() => this.#draw(gl, webGlTexture, channel, columns, rows, buffer));
     this.#touched();
     const sync = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     gl.flush();
-    return { sync, buffer, count: 2 * columns * rows,
+    return { sync, buffer, padded: 2 * columns * rows, count: width * all,
       texels: { width, height, wrapS: wrapOf(wrapS), wrapT: wrapOf(wrapT), filter: magFilter === NearestFilter ? 'nearest' : 'linear' } };
   }
 
-  /** Draws a texture's alpha, and copies the pixels into a buffer. */
+  /** Draws a texture's numbers, and copies the pixels into a buffer. */
   #draw(gl, webGlTexture, channel, columns, rows, buffer) {
-    const program = this.#program ??= this.#compiled(gl);
-    const framebuffer = gl.createFramebuffer(), target = gl.createTexture(), array = gl.createVertexArray();
-    gl.activeTexture(gl.TEXTURE0);
-    gl.bindTexture(gl.TEXTURE_2D, target);
+    const program = this.#program ??= programOver(gl, fragmentShader); // its texture is on unit 0
+    const target = gl.createTexture();
+    bindOn(gl, 0, target);
     gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA8, columns, rows);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
-    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, target, 0);
-    for (const name of ['BLEND', 'CULL_FACE', 'DEPTH_TEST', 'DITHER', 'SCISSOR_TEST', 'STENCIL_TEST', 'SAMPLE_COVERAGE', 'SAMPLE_ALPHA_TO_COVERAGE', 'RASTERIZER_DISCARD'])
-      gl.disable(gl[name]);
-    gl.colorMask(true, true, true, true);
-    gl.viewport(0, 0, columns, rows);
-    gl.bindVertexArray(array);
-    gl.bindTexture(gl.TEXTURE_2D, webGlTexture);
-    gl.bindSampler(0, null);
-    gl.useProgram(program);
-    gl.uniform1i(gl.getUniformLocation(program, 'green'), channel === 'green' ? 1 : 0);
-    gl.uniform1i(gl.getUniformLocation(program, 'columns'), columns);
-    gl.drawArrays(gl.TRIANGLES, 0, 3);
-    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
-    gl.bufferData(gl.PIXEL_PACK_BUFFER, 4 * columns * rows, gl.STREAM_READ);
-    gl.readPixels(0, 0, columns, rows, gl.RGBA, gl.UNSIGNED_BYTE, 0);
-    gl.deleteFramebuffer(framebuffer);
+    drawOver(gl, program, target, [columns, rows], (at) => {
+      bindOn(gl, 0, webGlTexture);
+      gl.uniform1i(at('channel'), channels[channel]);
+      gl.uniform1i(at('columns'), columns);
+    }, () => {
+      gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
+      gl.bufferData(gl.PIXEL_PACK_BUFFER, 4 * columns * rows, gl.STREAM_READ);
+      gl.readPixels(0, 0, columns, rows, gl.RGBA, gl.UNSIGNED_BYTE, 0);
+    });
     gl.deleteTexture(target);
-    gl.deleteVertexArray(array);
-  }
-
-  #compiled(gl) {
-    const program = gl.createProgram();
-    for (const [kind, source] of [[gl.VERTEX_SHADER, vertexShader], [gl.FRAGMENT_SHADER, fragmentShader]]) {
-      const shader = gl.createShader(kind);
-      gl.shaderSource(shader, source);
-      gl.compileShader(shader);
-      gl.attachShader(program, shader);
-      gl.deleteShader(shader);
-    }
-    gl.linkProgram(program); // its texture is on unit 0
-    return program;
   }
 
   #finish(gl, entry) {
-    const { sync, buffer, version, count, texels } = entry.reading;
-    const alpha = new Uint16Array(count);
+    const { sync, buffer, version, padded, count, texels } = entry.reading;
+    const alpha = new Uint16Array(padded);
     const bound = gl.getParameter(gl.PIXEL_PACK_BUFFER_BINDING);
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
     gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, alpha);
@@ -173,7 +152,7 @@ export class TexelReading {
     gl.deleteBuffer(buffer);
     gl.deleteSync(sync);
     if (entry.number !== null) this.#masks.releaseTexels(entry.number);
-    const whole = alpha.subarray(0, texels.width * texels.height);
+    const whole = alpha.subarray(0, count);
     Object.assign(entry, { version, reading: null, opaque: whole.every((value) => value === full), number: this.#masks.addTexels({ ...texels, alpha: whole }) });
   }
 

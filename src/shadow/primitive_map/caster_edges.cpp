@@ -26,9 +26,13 @@ bool areClosed(const EdgeList& edges) {
 CasterEdges tintedEdgesOf(const Batch& batch, std::uint32_t material) {
     CasterEdges casters{weld(batch.geometry->positions, batch.geometry->indices), {}, {}};
     casters.edges = buildEdges(casters.mesh);
-    casters.cutouts.resize(casters.mesh.triangles.size());
-    for (CutoutTriangle& triangle : casters.cutouts)
-        triangle = {{}, material};
+    for (const std::uint32_t source : casters.mesh.source) {
+        CutoutTriangle& triangle = casters.cutouts.emplace_back();
+        triangle.material = material;
+        for (std::size_t i = 0; i < 3; ++i)
+            triangle.corners[i] = {
+                batch.geometry->texcoords[batch.geometry->indices[3 * source + i]], 1.0f};
+    }
     casters.tintedSolid = areClosed(casters.edges);
     return casters;
 }

@@ -32,7 +32,7 @@ struct CutoutTexture {
     float cutoff = 0.5f; ///< alpha below it is a hole
     PackedAlpha own{};   ///< its alpha, for maps in one table; null: it is in the atlas
     /// Its triangles are tinted instead: they let this share of red, green and blue through, each
-    /// 0..1.
+    /// 0..1. `own` then has no alpha, but what multiplies red, green and blue, one after another.
     std::optional<glm::vec3> tint{};
 };
 using CutoutTextures = std::vector<CutoutTexture>; ///< by material

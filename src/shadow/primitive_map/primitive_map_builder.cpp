@@ -95,16 +95,12 @@ class Records {
         record = next();
         map_.cutouts = true;
         const CutoutTexture& texture = textures_[material];
-        if (texture.tint) {
-            map_.records.insert(map_.records.end(), {glm::vec4(*texture.tint, -1.0f),
-                                                     glm::vec4(0.0f), glm::vec4(0.0f)});
-            return record;
-        }
         const glm::ivec2 place = texture.own ? glm::ivec2(3 * record + 3, 0) : texture.place;
+        if (texture.tint) map_.records.emplace_back(*texture.tint, -1.0f);
         map_.records.emplace_back(place, texture.size);
         map_.records.emplace_back(texture.cutoff, static_cast<int>(texture.wrapS),
                                   static_cast<int>(texture.wrapT), texture.linear ? 1.0f : 0.0f);
-        map_.records.emplace_back(0.0f);
+        if (!texture.tint) map_.records.emplace_back(0.0f);
         if (texture.own) {
             map_.records.insert(map_.records.end(), texture.own->begin(), texture.own->end());
             map_.records.resize((map_.records.size() + 2) / 3 * 3, glm::vec4(0.0f));
@@ -117,8 +113,8 @@ class Records {
         if (textures_[planes.material].tint) {
             const auto taken = [&](std::size_t i) { return of.takesEdge[i] ? 1.0f : 0.0f; };
             map_.records.insert(map_.records.end(),
-                                {glm::vec4(taken(0), taken(1), taken(2), texture), glm::vec4(0.0f),
-                                 glm::vec4(0.0f)});
+                                {glm::vec4(taken(0), taken(1), taken(2), texture),
+                                 glm::vec4(planes.u, 0.0f), glm::vec4(planes.v, 0.0f)});
             return;
         }
         map_.records.emplace_back(glm::vec3(planes.u), static_cast<float>(texture));

@@ -1,4 +1,4 @@
-// Alpha of three.js's textures on the CPU, filtered at level 0 as GLES 3.0.6, 3.8.8 to 3.8.10,
+// Texels of three.js's textures on the CPU, filtered at level 0 as GLES 3.0.6, 3.8.8 to 3.8.10,
 // specifies.
 
 import * as three from 'three';
@@ -19,7 +19,8 @@ function wrapped(place, size, wrap) {
   return rest < size ? rest : period - 1 - rest;
 }
 
-function sampled(texture, uv, channel) {
+/** A channel of a texture at texture coordinates, 0 to 1. */
+export function sampled(texture, uv, channel) {
   const { image, wrapS, wrapT, flipY, magFilter, matrix } = texture;
   const { width, height } = image;
   texture.updateMatrix();
@@ -40,7 +41,18 @@ export function isHole({ object, ...hit }) {
   const material = Array.isArray(object.material) ? object.material[hit.face.materialIndex] : object.material;
   const { alphaTest, alphaMap, map, opacity } = material;
   if (!(alphaTest > 0)) return false;
-  const texture = alphaMap ?? map;
-  if (!texture) return opacity < alphaTest;
-  return opacity * sampled(texture, texture.channel === 1 ? hit.uv1 ?? hit.uv2 : hit.uv, texture === alphaMap ? 1 : 3) < alphaTest;
+  const at = (texture, channel) => (texture ? sampled(texture, texture.channel === 1 ? hit.uv1 ?? hit.uv2 : hit.uv, channel) : 1);
+  return opacity * at(alphaMap, 1) * at(map, 3) < alphaTest;
+}
+
+/** A mesh's geometry, its vertices where its displacementMap draws them. */
+export function displaced({ geometry, material: { displacementMap: map, displacementScale, displacementBias } }) {
+  const { position, normal, uv } = geometry.attributes;
+  const moved = position.clone(), at = new three.Vector3(), along = new three.Vector3(), place = new three.Vector2();
+  for (let i = 0; i < position.count; ++i) {
+    const height = sampled(map, place.fromBufferAttribute(uv, i), 0) * displacementScale + displacementBias;
+    at.fromBufferAttribute(position, i).addScaledVector(along.fromBufferAttribute(normal, i).normalize(), height);
+    moved.setXYZ(i, at.x, at.y, at.z);
+  }
+  return Object.assign(geometry.clone().setAttribute('position', moved), { boundingSphere: null });
 }

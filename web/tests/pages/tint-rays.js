@@ -6,8 +6,8 @@ import * as three from 'three';
 const shown = (light) => 255 * (light <= 0.0031308 ? 12.92 * light : 1.055 * light ** (1 / 2.4) - 0.055);
 
 /**
- * Compares the canvas with rays, where the first mesh on a pixel's ray is solid. `tintOf(mesh)`: what
- * a mesh lets through, [red, green, blue]; null: it is solid. Each mesh and instance counts once.
+ * Compares the canvas with rays, where the first mesh on a pixel's ray is solid. `tintOf(mesh, hit)`:
+ * what a mesh lets through, [red, green, blue]; null: it is solid. Each mesh and instance counts once.
  * Returns numbers of pixels: compared, tinted, wrong by more than 3 of 255, and wrong with all
  * neighbours behind the same meshes.
  */
@@ -48,11 +48,12 @@ export function comparedTints(renderer, scene, camera, light, tintOf) {
     towards.normalize();
     ray.set(hit.point, towards);
     const colour = [1, 1, 1], met = new Set(), lit = normal.dot(towards) > 0;
-    for (const { object, instanceId } of ray.intersectObjects(meshes, false)) {
+    for (const crossed of ray.intersectObjects(meshes, false)) {
+      const { object, instanceId } = crossed;
       const name = `${object.id} ${instanceId}`;
       if (!object.castShadow || met.has(name)) continue;
       met.add(name);
-      const tint = tintOf(object) ?? [0, 0, 0];
+      const tint = tintOf(object, crossed) ?? [0, 0, 0];
       tint.forEach((share, i) => { colour[i] *= share; });
     }
     return { colour: lit ? colour : [0, 0, 0], key: `${hit.object.id} ${lit} ${[...met].sort()} ${normal.toArray().map(Math.round)}` };

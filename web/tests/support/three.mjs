@@ -6,14 +6,26 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { program } from './native.mjs';
 
+const all = ['three-0.152', 'three-0.169', 'three'];
+
+/** The release that all tests take, from EDGESHADE_THREE; undefined: each its own. */
+const only = process.env.EDGESHADE_THREE;
+if (only && !all.includes(only)) throw new Error(`EDGESHADE_THREE is '${only}', which is not one of ${all.join(', ')}.`);
+
+/** The release to test in place of one, as a name of a package. */
+export const inPlaceOf = (release) => only ?? release;
+
+/** The releases to test of a list, oldest first: the earlier ones lack a feature. */
+export const releasesOf = (...list) => (!only ? list : all.indexOf(only) < all.indexOf(list[0]) ? [] : [only]);
+
 /** Tested releases, as names of packages. */
-export const releases = ['three-0.152', 'three-0.169', 'three'];
+export const releases = releasesOf(...all);
 
 export const size = { width: 480, height: 270 };
 
-/** Opens the page with `release` of three.js. */
+/** Opens the page with `release` of three.js, or the one that all tests take. */
 export async function openThree(shared, release = 'three', options = {}) {
-  const page = await shared.open(`/tests/three.html?three=${release}`, { scene: false, ...options });
+  const page = await shared.open(`/tests/three.html?three=${inPlaceOf(release)}`, { scene: false, ...options });
   await page.waitForFunction(() => window.page);
   return page;
 }
@@ -41,7 +53,7 @@ export async function inNativeGl(shared, context, act, given = {}, release = und
 export async function inFoliage(shared, act, { release, allowed, given } = {}) {
   const page = await openThree(shared, release, { haste: 5 });
   const told = await page.evaluate(async ([text, value]) => {
-    const foliage = { ...await import('/tests/foliage.js'), ...await import('/tests/tint-rays.js'), ...await import('/tests/soft-rays.js') };
+    const foliage = { ...await import('/tests/foliage.js'), ...await import('/tests/tint-rays.js'), ...await import('/tests/texel-alpha.js'), ...await import('/tests/soft-rays.js') };
     return (0, eval)(`(${text})`)(window.page, foliage, value);
   }, [act.toString(), given]);
   const { reports } = page;
