@@ -1,12 +1,12 @@
 // Resting lights in three.js: looked up instead of masked, automatically, until something moves;
-// with the shadows of `render --mask`, in several releases.
+// with the shadows of `render --mask`.
 
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { useBrowser } from './support/browser.mjs';
 import { repository } from './support/server.mjs';
-import { compareMasks, inNativeGl, nativeMask, releases, size } from './support/three.mjs';
+import { compareMasks, inNativeGl, nativeMask, size } from './support/three.mjs';
 
 const shared = useBrowser({ angle: 'gl-egl' }); // the native program's GL
 
@@ -52,7 +52,7 @@ test('the sample, a sun and a lamp at rest', async (context) => {
   await shared.check(page);
 });
 
-for (const release of releases) test(`a light or a caster that moves is masked in that very frame, and looked up again once all rests, in ${release}`, async (context) => {
+test('a light or a caster that moves is masked in that very frame, and looked up again once all rests', async (context) => {
   const view = { from: [5, 4, 6], to: [0, 0.6, 0], fov: 50 };
   const { page, told } = await inPage(context, async ({ yard, whiten, ExactShadows, cameraOf, drawn, rested, redOf }, { seen, wide }) => {
     const { renderer, scene, box, light } = yard(wide);
@@ -77,7 +77,7 @@ for (const release of releases) test(`a light or a caster that moves is masked i
     const differ = (a, b) => a.filter((value, i) => Math.abs(value - b[i]) > 2).length;
     return lookedUp.map((of, i) => ({ lookedUp: of.lookedUp, wrong: differ(of.red, masked[i].red), atOnce: of.atOnce.lookedUp,
       wrongAtOnce: i > 0 ? differ(of.atOnce.red, masked[i].red) : 0, moved: i > 0 ? differ(masked[i].red, masked[i - 1].red) : 1000 }));
-  }, { seen: view, wide: size }, release);
+  }, { seen: view, wide: size });
   if (!page) return;
   for (const { lookedUp, wrong, wrongAtOnce, atOnce, moved } of told) {
     assert.equal(lookedUp, 1);

@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { useBrowser } from './support/browser.mjs';
-import { compareMasks, inNativeGl, nativeMask, releases, size } from './support/three.mjs';
+import { compareMasks, inNativeGl, nativeMask, size } from './support/three.mjs';
 
 const shared = useBrowser({ angle: 'gl-egl' }); // the native program's GL
 
@@ -120,7 +120,7 @@ test('a box that starts to move leaves the map, and is taken into another after 
   await shared.check(page);
 });
 
-for (const release of releases) test(`four lights are looked up while a mesh morphs, another moves and a third only receives, in ${release}`, async (context) => {
+test('four lights are looked up while a mesh morphs, another moves and a third only receives', async (context) => {
   const { page, told } = await inPage(context, async ({ three, yard, ExactShadows, cameraOf, lampOf, whiten, drawn, redOf }, { wide }) => {
     const { renderer, scene, light } = yard(wide);
     light.intensity = 1;
@@ -178,7 +178,7 @@ for (const release of releases) test(`four lights are looked up while a mesh mor
     const reasons = masks.lights.map(({ method, reason }) => `${method}: ${reason}`);
     masks.dispose();
     return { lookedUp, methods, wrong, reasons };
-  }, { wide: size }, release);
+  }, { wide: size });
   if (!page) return;
   assert.deepEqual(told.lookedUp, [4, 4, 4, 4, 4]);
   assert.deepEqual(told.methods, ['PointLight', 'SpotLight', 'DirectionalLight', 'DirectionalLight'].map((type) => `${type} lookup and movers`));
