@@ -9,7 +9,7 @@ const shared = useBrowser({ angle: 'gl-egl' });
 
 /** Runs `act(page, house)` in a page with three.js; returns its result. */
 async function inPage(act, release) {
-  const page = await openThree(shared, release);
+  const page = await openThree(shared, release, { haste: 3 });
   const told = await page.evaluate(([made, text]) => {
     const run = (source) => (0, eval)(`(${source})`);
     return run(text)(window.page, run(made));

@@ -8,7 +8,7 @@ import { openThree } from './support/three.mjs';
 const shared = useBrowser();
 
 test('a knot has the shadows that it has without multisampling', async () => {
-  const page = await openThree(shared);
+  const page = await openThree(shared, undefined, { haste: 3 });
   const told = await page.evaluate(async () => {
     const { three, ExactShadows, cameraOf, redOf, rendererOf, rested } = window.page;
     /** The picture's red bytes; shadows are black, and surfaces of any slope nearly white. */
