@@ -130,4 +130,13 @@ Components findComponents(const WeldedMesh& mesh, const EdgeList& edges, Threads
     return components;
 }
 
+MeshTopology topologyOf(const std::vector<glm::vec3>& positions,
+                        const std::vector<std::uint32_t>& indices) {
+    MeshTopology made;
+    made.mesh = weld(positions, indices);
+    made.edges = buildEdges(made.mesh);
+    made.components = findComponents(made.mesh, made.edges);
+    return made;
+}
+
 } // namespace edgeshade

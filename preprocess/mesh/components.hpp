@@ -1,6 +1,7 @@
 #pragma once
 
 #include "preprocess/mesh/edges.hpp"
+#include "preprocess/mesh/weld.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -19,6 +20,17 @@ struct Components {
 
 /// Finds components across a batch's primitives, materials and meshes.
 Components findComponents(const WeldedMesh& mesh, const EdgeList& edges, Threads threads = {});
+
+/// A welded mesh, its edges and its components.
+struct MeshTopology {
+    WeldedMesh mesh;
+    EdgeList edges;
+    Components components;
+};
+
+/// All three of the triangles that `indices` lists.
+MeshTopology topologyOf(const std::vector<glm::vec3>& positions,
+                        const std::vector<std::uint32_t>& indices);
 
 /// Whether the triangle runs through its edge from a to b (1) or from b to a (-1).
 int directionIn(const Triangle& triangle, const Edge& edge);

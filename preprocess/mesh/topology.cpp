@@ -48,9 +48,7 @@ std::vector<std::size_t> casterCounts(const Scene& scene, bool castMasked) {
     });
 }
 
-namespace {
-
-CasterMesh grouped(WeldedMesh welded, const Casters& casters) {
+CasterMesh inGroups(WeldedMesh welded, const Casters& casters) {
     CasterMesh mesh;
     mesh.welded = std::move(welded);
     std::uint32_t cap = 0;
@@ -65,16 +63,14 @@ CasterMesh grouped(WeldedMesh welded, const Casters& casters) {
     return mesh;
 }
 
-} // namespace
-
 CasterMesh weldCasters(const Batch& batch, const Casters& casters, Threads threads) {
-    return grouped(weld(batch.geometry->positions, casters.indices, threads), casters);
+    return inGroups(weld(batch.geometry->positions, casters.indices, threads), casters);
 }
 
 CasterMesh weldForRecords(const Batch& batch, const Casters& casters) {
     if (!batch.deforms()) return weldCasters(batch, casters);
-    return grouped(weldAlike(batch.geometry->positions, alikeVertices(batch), casters.indices),
-                   casters);
+    return inGroups(weldAlike(batch.geometry->positions, alikeVertices(batch), casters.indices),
+                    casters);
 }
 
 std::uint64_t positionsHash(const Batch& batch, const Casters& surfaces) {

@@ -45,6 +45,9 @@ struct CasterMesh {
 /// Welds the casters; triangles keep their order.
 CasterMesh weldCasters(const Batch& batch, const Casters& casters, Threads threads = {});
 
+/// Welded casters, in groups. `welded`: by weld() of their indices.
+CasterMesh inGroups(WeldedMesh welded, const Casters& casters);
+
 /// Welds casters for records that serve all poses. In a deforming batch, vertices are welded if
 /// they coincide in every pose (alikeVertices()). Positions are sorted, but may repeat.
 CasterMesh weldForRecords(const Batch& batch, const Casters& casters);

@@ -1,7 +1,6 @@
 #include "preprocess/section/component_blocks.hpp"
 
 #include "preprocess/base/morton.hpp"
-#include "preprocess/mesh/components.hpp"
 #include "preprocess/section/vertex_attributes.hpp"
 
 #include <algorithm>
@@ -24,9 +23,9 @@ struct Blocks {
     std::uint32_t count = 0;
 };
 
-Blocks blocksOf(const Geometry& geometry) {
-    const WeldedMesh mesh = weld(geometry.positions, geometry.indices);
-    const Components components = findComponents(mesh, buildEdges(mesh));
+/// `topology`: of all triangles of the geometry.
+Blocks blocksOf(const Geometry& geometry, const MeshTopology& topology) {
+    const auto& [mesh, edges, components] = topology;
     Box all;
     std::vector<Box> boxes(components.count());
     std::vector<std::size_t> sizes(components.count(), 0);
@@ -114,9 +113,10 @@ class BlockWriter {
 
 } // namespace
 
-Scene inBlocks(const Scene& scene) {
-    Scene made = scene;
-    made.batches.clear();
+SceneInBlocks inBlocks(const Scene& scene) {
+    SceneInBlocks made{scene, {}};
+    std::vector<Batch>& batches = made.scene.batches;
+    batches.clear();
     const std::vector<std::size_t> first = firstOfGeometry(scene.batches);
     std::vector<std::size_t> uses(first.size(), 0);
     for (const std::size_t of : first)
@@ -126,12 +126,14 @@ Scene inBlocks(const Scene& scene) {
         const Geometry& geometry = *batch.geometry;
         if (uses[first[i]] > 1 || batch.ground || batch.deforms() || geometry.simplifiedCasters ||
             geometry.indices.size() / 3 < 2 * blockTriangles) {
-            made.batches.push_back(batch);
+            batches.push_back(batch);
             continue;
         }
-        const Blocks blocks = blocksOf(geometry);
+        MeshTopology topology = topologyOf(geometry.positions, geometry.indices);
+        const Blocks blocks = blocksOf(geometry, topology);
         if (blocks.count == 1) {
-            made.batches.push_back(batch);
+            batches.push_back(batch);
+            made.topologies.emplace(&geometry, std::move(topology));
             continue;
         }
         std::vector<std::vector<std::uint32_t>> trianglesOf(blocks.count);
@@ -140,7 +142,7 @@ Scene inBlocks(const Scene& scene) {
         BlockWriter writer(geometry);
         for (const std::vector<std::uint32_t>& triangles : trianglesOf) {
             if (triangles.empty()) continue;
-            Batch& block = made.batches.emplace_back(batch);
+            Batch& block = batches.emplace_back(batch);
             block.geometry = CopyOnWrite<Geometry>(writer.write(triangles));
         }
     }

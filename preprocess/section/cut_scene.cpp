@@ -76,8 +76,15 @@ std::vector<std::uint32_t> metOf(const std::vector<TriangleFate>& fates) {
 
 } // namespace
 
-SceneCutter::SceneCutter(Scene whole, bool castMasked)
-    : whole_(std::make_shared<const Scene>(std::move(whole))), castMasked_(castMasked) {}
+SceneCutter::SceneCutter(Scene whole, bool castMasked, KnownTopologies topologies)
+    : whole_(std::make_shared<const Scene>(std::move(whole))), castMasked_(castMasked) {
+    for (auto& [geometry, topology] : topologies)
+        knownOf(*geometry).topology = std::move(topology);
+}
+
+std::optional<MeshTopology> SceneCutter::takeTopology(const Geometry& geometry) {
+    return std::exchange(knownOf(geometry).topology, std::nullopt);
+}
 
 SceneCutter::Known& SceneCutter::knownOf(const Geometry& geometry) {
     const auto [found, isNew] = known_.try_emplace(&geometry);
@@ -144,7 +151,7 @@ void SceneCutter::cutBatch(Batch& batch, const Cutting& cutting) {
     origins.ofTriangle.clear();
     origins.met = metOf(fates);
     if (known.solid.empty() && !origins.met.empty())
-        known.solid = solidTriangles(from, whole_->materials);
+        known.solid = solidTriangles(from, whole_->materials, known.topology);
     Geometry made = known.made.take();
     takeVertices(from, 3 * origins.met.size(), made);
     GeometryCut cut(made, from.indices, known.solid, origins.met);

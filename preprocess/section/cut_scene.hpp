@@ -2,6 +2,7 @@
 
 #include "preprocess/base/shared_pool.hpp"
 #include "preprocess/scene/scene.hpp"
+#include "preprocess/section/component_blocks.hpp"
 #include "preprocess/section/cut_origins.hpp"
 
 #include <map>
@@ -16,7 +17,7 @@ namespace edgeshade {
 class SceneCutter {
   public:
     /// `castMasked` as in CasterSettings. `whole` has no section.
-    SceneCutter(Scene whole, bool castMasked);
+    SceneCutter(Scene whole, bool castMasked, KnownTopologies topologies = {});
 
     /// The scene as cut, with the same batches and lights. After its materials come the fill's and,
     /// where shadows are whole, one for the part of each that is cut away. Batches that no plane
@@ -29,12 +30,17 @@ class SceneCutter {
 
     const Scene& whole() const { return *whole_; }
 
+    /// Gives away the topology of all triangles of a geometry of the whole scene, which cuts need
+    /// only once; empty if it isn't known.
+    std::optional<MeshTopology> takeTopology(const Geometry& geometry);
+
   private:
     struct Cutting;
 
     struct Known {
         Box bounds;
         std::vector<std::uint8_t> solid;           ///< by triangle; empty until a plane meets one
+        std::optional<MeshTopology> topology;      ///< of all triangles, until it is taken
         std::optional<CopyOnWrite<Geometry>> away; ///< all of it cut away, and casting as a whole
         SharedPool<Geometry> made;                 ///< cuts of it
         SharedPool<CutOrigins> origins;            ///< of these cuts

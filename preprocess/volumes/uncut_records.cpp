@@ -101,16 +101,18 @@ bool UncutRecords::canFollowCuts() const {
 }
 
 UncutRecords uncutRecords(const Batch& batch, const std::vector<Material>& materials,
-                          bool castMasked, std::shared_ptr<const PlanePairShadow> shadow) {
+                          bool castMasked, std::shared_ptr<const PlanePairShadow> shadow,
+                          std::optional<MeshTopology> topology) {
     const Casters casters = castersOf(batch, materials, castMasked);
-    const CasterMesh mesh = weldForRecords(batch, casters);
-    const EdgeList edges = buildEdges(mesh.welded);
+    if (!topology || casters.indices != batch.geometry->indices)
+        topology = topologyOf(batch.geometry->positions, casters.indices);
+    const auto& [welded, edges, components] = *topology;
     UncutRecords made;
     if (!shadow)
-        shadow = std::make_shared<const PlanePairShadow>(buildPlanePairs(mesh, edges, materials));
+        shadow = std::make_shared<const PlanePairShadow>(
+            buildPlanePairs(inGroups(welded, casters), edges, materials));
     made.shadow = std::move(shadow);
 
-    const Components components = findComponents(mesh.welded, edges);
     const std::vector<std::uint32_t> casting =
         castingTriangles(*batch.geometry, materials, castMasked);
     made.capOf.assign(batch.geometry->indices.size() / 3, UncutRecords::none);
@@ -120,16 +122,16 @@ UncutRecords uncutRecords(const Batch& batch, const std::vector<Material>& mater
         const std::uint32_t triangle = made.shadow->capTriangles[cap];
         capOf[triangle] = cap;
         planes[triangle] = made.shadow->caps[cap].plane;
-        const std::uint32_t caster = mesh.welded.source[triangle];
+        const std::uint32_t caster = welded.source[triangle];
         made.capOf[casting[caster]] = cap;
         made.vertices.push_back({casters.indices[3 * caster], casters.indices[3 * caster + 1],
                                  casters.indices[3 * caster + 2]});
         made.componentOf.push_back(components.ofTriangle[triangle]);
     }
     made.closed = components.closed;
-    addEdges(mesh.welded, edges, capOf, made);
+    addEdges(welded, edges, capOf, made);
     countEdges(edges, planes, made);
-    findCrowded(mesh.welded, edges, made);
+    findCrowded(welded, edges, made);
     return made;
 }
 

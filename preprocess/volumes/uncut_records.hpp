@@ -1,5 +1,6 @@
 #pragma once
 
+#include "preprocess/mesh/components.hpp"
 #include "preprocess/volumes/plane_pair_data.hpp"
 
 #include <array>
@@ -7,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -46,8 +48,10 @@ struct UncutRecords {
 };
 
 /// The records and topology of a rigid batch without simplified casters. `shadow`: its records,
-/// made by buildPlanePairs() without a flat tolerance; null: not made yet.
+/// made by buildPlanePairs() without a flat tolerance; null: not made yet. `topology`: of all its
+/// triangles, if known; used if all of them cast.
 UncutRecords uncutRecords(const Batch& batch, const std::vector<Material>& materials,
-                          bool castMasked, std::shared_ptr<const PlanePairShadow> shadow = {});
+                          bool castMasked, std::shared_ptr<const PlanePairShadow> shadow = {},
+                          std::optional<MeshTopology> topology = {});
 
 } // namespace edgeshade

@@ -72,7 +72,8 @@ class Collector {
         const Scene& whole = scene_.whole();
         const Geometry& before = *whole.batches[batch].geometry;
         const SectionClip clip(scene_.cutFrom->section, of.worldFromBatch);
-        const std::vector<std::uint8_t> solid = solidTriangles(before, whole.materials);
+        std::optional<MeshTopology> topology;
+        const std::vector<std::uint8_t> solid = solidTriangles(before, whole.materials, topology);
         for (const SurfaceGroup& group : before.groups)
             add(batch, before, group, &clip, solid);
         for (const SurfaceGroup& group : of.geometry->groups)

@@ -23,11 +23,13 @@ FollowedGeometry* followedOf(UncutScene& uncut, const Batch& batch,
     const Geometry& geometry = *batch.geometry;
     const auto [found, isNew] = uncut.followed.try_emplace(&geometry);
     if (!isNew) return found->second.get();
+    std::optional<MeshTopology> topology = uncut.cutter.takeTopology(geometry);
     if (batch.deforms() || geometry.simplifiedCasters || settings.flatTolerance != 0.0)
         return nullptr;
     const auto whole = uncut.ofWhole.find(&geometry);
-    UncutRecords records = uncutRecords(batch, uncut.cutter.whole().materials, settings.castMasked,
-                                        whole != uncut.ofWhole.end() ? whole->second : nullptr);
+    UncutRecords records =
+        uncutRecords(batch, uncut.cutter.whole().materials, settings.castMasked,
+                     whole != uncut.ofWhole.end() ? whole->second : nullptr, std::move(topology));
     uncut.ofWhole.emplace(&geometry, records.shadow);
     if (records.canFollowCuts())
         found->second = std::make_unique<FollowedGeometry>(FollowedGeometry{std::move(records)});
@@ -65,7 +67,9 @@ void cutScene(LoadedScene& loaded, const Section& section) {
         return;
     }
     if (!loaded.uncut) {
-        SceneCutter cutter(inBlocks(loaded.scene), loaded.settings.castMasked);
+        SceneInBlocks blocks = inBlocks(loaded.scene);
+        SceneCutter cutter(std::move(blocks.scene), loaded.settings.castMasked,
+                           std::move(blocks.topologies));
         loaded.uncut = std::make_shared<UncutScene>(
             UncutScene{std::move(loaded.scene), std::move(loaded.planePairs),
                        std::move(loaded.shadows), std::move(cutter)});

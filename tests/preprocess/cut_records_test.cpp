@@ -410,20 +410,44 @@ void append(Soup& to, const Soup& soup, float along) {
     }
 }
 
+// The topology of all triangles serves where they all cast, and no others.
+TEST(CutRecords, AreTheSameOfATopologyThatIsKnown) {
+    Random random(61);
+    for (const bool allCast : {true, false}) {
+        Scene scene = sceneOf(bumpySolid(random, 6, 9, false), 20);
+        if (!allCast) scene.materials.back().alphaMode = AlphaMode::blend;
+        const Batch& batch = scene.batches[0];
+        const UncutRecords found = uncutRecords(batch, scene.materials, false);
+        const UncutRecords made =
+            uncutRecords(batch, scene.materials, false, nullptr,
+                         topologyOf(batch.geometry->positions, batch.geometry->indices));
+        EXPECT_EQ(made.capOf, found.capOf);
+        EXPECT_EQ(made.edgesOf, found.edgesOf);
+        EXPECT_EQ(made.edgeCaps, found.edgeCaps);
+        EXPECT_EQ(made.closed, found.closed);
+        EXPECT_EQ(made.flat, found.flat);
+        EXPECT_EQ(made.closed, std::vector<std::uint8_t>(made.closed.size(), allCast));
+    }
+}
+
 TEST(ComponentBlocks, DivideABatchUnlessOneComponentIsNearlyAllOfIt) {
     Random random(59);
     Soup large = bumpySolid(random, 25, 25, false), several;
     append(large, bumpySolid(random, 3, 4, false), 20.0f);
     for (int i = 0; i < 4; ++i)
         append(several, bumpySolid(random, 20, 20, false), 20.0f * static_cast<float>(i));
-    EXPECT_EQ(inBlocks(sceneOf(large)).batches.size(), 1u);
-    EXPECT_EQ(inBlocks(sceneOf(several)).batches.size(), 4u);
+    const Scene whole = sceneOf(large);
+    const SceneInBlocks one = inBlocks(whole), four = inBlocks(sceneOf(several));
+    EXPECT_EQ(one.scene.batches.size(), 1u);
+    EXPECT_TRUE(one.topologies.contains(&*whole.batches[0].geometry));
+    EXPECT_EQ(four.scene.batches.size(), 4u);
+    EXPECT_TRUE(four.topologies.empty()) << "that of the batch is none of its blocks'";
 
     Soup flat; // no triangle has an area, so none is in a component
     flat.positions = {{0, 0, 0}, {1, 0, 0}};
     for (int i = 0; i < 1100; ++i)
         flat.indices.insert(flat.indices.end(), {0, 1, 0});
-    EXPECT_EQ(inBlocks(sceneOf(flat)).batches.size(), 1u);
+    EXPECT_EQ(inBlocks(sceneOf(flat)).scene.batches.size(), 1u);
 }
 
 TEST(SharedPool, GivesTheMemoryOfValuesThatNobodyHolds) {
