@@ -17,20 +17,37 @@ namespace {
 
 constexpr std::int64_t tileSide = 256;
 
-void declareNoData(TIFF* tiff) {
-    static const TIFFFieldInfo field[] = {{noDataTag, TIFF_VARIABLE, TIFF_VARIABLE, TIFF_ASCII,
-                                           FIELD_CUSTOM, 1, 0, const_cast<char*>("GDAL_NODATA")}};
-    TIFFMergeFieldInfo(tiff, field, 1);
+/// GDAL's tag of band names, as XML.
+constexpr ttag_t metadataTag = 42112;
+
+void declareTags(TIFF* tiff) {
+    static const TIFFFieldInfo fields[] = {{noDataTag, TIFF_VARIABLE, TIFF_VARIABLE, TIFF_ASCII,
+                                            FIELD_CUSTOM, 1, 0, const_cast<char*>("GDAL_NODATA")},
+                                           {metadataTag, TIFF_VARIABLE, TIFF_VARIABLE, TIFF_ASCII,
+                                            FIELD_CUSTOM, 1, 0,
+                                            const_cast<char*>("GDAL_METADATA")}};
+    TIFFMergeFieldInfo(tiff, fields, 2);
+}
+
+void setBands(TIFF* tiff, std::span<const std::string> bands) {
+    TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, static_cast<std::uint16_t>(bands.size()));
+    if (bands.size() == 1) return;
+    const std::vector<std::uint16_t> more(bands.size() - 1, EXTRASAMPLE_UNSPECIFIED);
+    TIFFSetField(tiff, TIFFTAG_EXTRASAMPLES, static_cast<std::uint16_t>(more.size()), more.data());
+    std::string names = "<GDALMetadata>";
+    for (std::size_t i = 0; i < bands.size(); ++i)
+        names += "<Item name=\"DESCRIPTION\" sample=\"" + std::to_string(i) +
+                 "\" role=\"description\">" + bands[i] + "</Item>";
+    TIFFSetField(tiff, metadataTag, (names + "</GDALMetadata>").c_str());
 }
 
 void setTags(TIFF* tiff, const CellRange& region, double grid) {
-    declareNoData(tiff);
+    declareTags(tiff);
     TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, static_cast<std::uint32_t>(region.columns()));
     TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, static_cast<std::uint32_t>(region.rows()));
     TIFFSetField(tiff, TIFFTAG_TILEWIDTH, static_cast<std::uint32_t>(tileSide));
     TIFFSetField(tiff, TIFFTAG_TILELENGTH, static_cast<std::uint32_t>(tileSide));
     TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, 32);
-    TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, 1);
     TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_IEEEFP);
     TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
     TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
@@ -60,10 +77,11 @@ void setKeys(TIFF* tiff, const std::optional<int>& epsg) {
 
 class GeoTiffWriter::Writing {
   public:
-    Writing(const std::filesystem::path& path, const Plan& plan)
-        : region_(plan.region), tiff_(createTiff(path)) {
+    Writing(const std::filesystem::path& path, const Plan& plan, std::span<const std::string> bands)
+        : region_(plan.region), bands_(bands.size()), tiff_(createTiff(path)) {
         if (!tiff_) throw Error(ExitStatus::output, "'" + path.string() + "' can't be written.");
         setTags(tiff_.get(), region_, plan.grid);
+        setBands(tiff_.get(), bands);
         setKeys(tiff_.get(), plan.epsg);
     }
 
@@ -81,18 +99,19 @@ class GeoTiffWriter::Writing {
   private:
     /// Writes the rows that are held as tiles, filled up beyond the map.
     void writeTiles() {
-        const auto columns = static_cast<std::size_t>(region_.columns()),
-                   side = static_cast<std::size_t>(tileSide);
+        // Numbers along a row of the map, and of a tile.
+        const std::size_t columns = bands_ * static_cast<std::size_t>(region_.columns()),
+                          side = bands_ * static_cast<std::size_t>(tileSide);
         const std::size_t rows = rows_.size() / columns;
         const auto top = static_cast<std::uint32_t>(next_ - static_cast<std::int64_t>(rows));
         std::vector<float> tile;
         for (std::size_t left = 0; left < columns; left += side) {
-            tile.assign(side * side, noHours);
+            tile.assign(side * static_cast<std::size_t>(tileSide), noHours);
             const std::size_t width = std::min(side, columns - left);
             for (std::size_t y = 0; y < rows; ++y)
                 std::copy_n(rows_.data() + y * columns + left, width, tile.data() + y * side);
-            require(TIFFWriteTile(tiff_.get(), tile.data(), static_cast<std::uint32_t>(left), top,
-                                  0, 0) > 0);
+            require(TIFFWriteTile(tiff_.get(), tile.data(),
+                                  static_cast<std::uint32_t>(left / bands_), top, 0, 0) > 0);
         }
         rows_.clear();
     }
@@ -107,13 +126,15 @@ class GeoTiffWriter::Writing {
     }
 
     CellRange region_;
+    std::size_t bands_;
     TiffHandle tiff_;
     std::vector<float> rows_; ///< those of the tiles that are being filled
     std::int64_t next_ = 0;   ///< the row that comes next
 };
 
-GeoTiffWriter::GeoTiffWriter(const std::filesystem::path& path, const Plan& plan)
-    : writing_(std::make_unique<Writing>(path, plan)) {}
+GeoTiffWriter::GeoTiffWriter(const std::filesystem::path& path, const Plan& plan,
+                             std::span<const std::string> bands)
+    : writing_(std::make_unique<Writing>(path, plan, bands)) {}
 void GeoTiffWriter::add(std::span<const float> hours) {
     writing_->add(hours);
 }
@@ -125,7 +146,8 @@ void GeoTiffWriter::finish() {
 
 class GeoTiffWriter::Writing {};
 
-GeoTiffWriter::GeoTiffWriter(const std::filesystem::path&, const Plan&) {
+GeoTiffWriter::GeoTiffWriter(const std::filesystem::path&, const Plan&,
+                             std::span<const std::string>) {
     throw Error(ExitStatus::unavailable,
                 "city merge writes a GeoTIFF, but this program was built without libgeotiff.");
 }

@@ -12,12 +12,14 @@ namespace edgeshade::city {
 /// are -1, which is declared as no data. The same map gives the same bytes. Holds 256 rows.
 class GeoTiffWriter {
   public:
-    /// Throws Error(output) naming the path; Error(unavailable) if the program was built without
-    /// libgeotiff.
-    GeoTiffWriter(const std::filesystem::path& path, const Plan& plan);
+    /// `bands`: their names; one may be empty. Throws Error(output) naming the path;
+    /// Error(unavailable) if the program was built without libgeotiff.
+    GeoTiffWriter(const std::filesystem::path& path, const Plan& plan,
+                  std::span<const std::string> bands);
     ~GeoTiffWriter();
 
-    /// Adds the next row from the north: hours of each cell of the plan's region, from the west.
+    /// Adds the next row from the north: hours of each cell of the plan's region, from the west,
+    /// a cell's bands side by side.
     /// Throws Error(output): the disk is full, or the file exceeds TIFF's 4 GiB.
     void add(std::span<const float> hours);
     /// Completes the file after the last row. Throws Error(output), too.

@@ -87,6 +87,31 @@ struct RayScene {
     }
 };
 
+/// The month of each position, 0 to 11, on the plan's clock.
+std::vector<std::uint8_t> monthsOf(const std::vector<hours::Position>& positions,
+                                   std::chrono::minutes offset) {
+    using namespace std::chrono;
+    std::vector<std::uint8_t> months;
+    for (const hours::Position& position : positions) {
+        const year_month_day day(floor<days>(position.time + offset));
+        months.push_back(static_cast<std::uint8_t>(static_cast<unsigned>(day.month()) - 1));
+    }
+    return months;
+}
+
+/// Counts the positions that light a cell.
+void count(std::span<const std::uint64_t> row, std::span<const std::uint8_t> months,
+           std::size_t cell, JobResult& result) {
+    const std::size_t rowBytes = bytesOfBits(months.size());
+    for (std::size_t i = 0; i < months.size(); ++i) {
+        if ((row[i / 64] >> i % 64 & 1) == 0) continue;
+        ++result.lit[cell];
+        if (!result.months.empty()) ++result.months[monthsOfYear * cell + months[i]];
+        if (!result.bits.empty())
+            result.bits[rowBytes * cell + i / 8] |= static_cast<std::uint8_t>(0x80u >> i % 8);
+    }
+}
+
 /// The numbers of cells that have a surface, block by block.
 std::vector<std::uint32_t> cellsWithSurface(const CellRange& cells,
                                             const std::vector<std::uint32_t>& tops) {
@@ -112,6 +137,8 @@ JobResult unlitResult(const ReadPlan& read, std::size_t number, const Surroundin
     result.positions = positions;
     const std::size_t count = job.cells.count();
     result.lit.assign(count, 0);
+    if (read.plan.months) result.months.assign(monthsOfYear * count, 0);
+    if (read.plan.bits) result.bits.assign(bytesOfBits(positions) * count, 0);
     result.objects.assign(count, noSurface);
     result.kinds.assign(count, SurfaceKind::none);
     std::vector<std::uint32_t> numberOf(all.objects.size(), noSurface);
@@ -142,6 +169,7 @@ JobResult runJob(const ReadPlan& read, std::size_t number,
     std::vector<glm::dvec3> directions;
     for (const hours::Position& position : positions)
         directions.push_back(inFrame(position.direction));
+    const std::vector<std::uint8_t> months = monthsOf(positions, plan.schedule.offset);
     const Surroundings all = surroundingsOf(plan, job, SunFan(positions), progress);
     const std::vector<std::uint32_t> tops = topSurfaces(all.triangles, job.cells, plan.grid);
     JobResult result = unlitResult(read, number, all, tops, positions.size());
@@ -172,7 +200,7 @@ JobResult runJob(const ReadPlan& read, std::size_t number,
         }
         const rays::LitBits bits = litRays.lit(points, directions, threads);
         for (std::size_t i = first; i < end; ++i)
-            result.lit[cells[i]] = static_cast<std::uint16_t>(bits.count(i - first));
+            count(bits.of(i - first), months, cells[i], result);
     }
     return result;
 }

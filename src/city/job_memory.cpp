@@ -7,7 +7,9 @@ namespace {
 
 /// The program, its libraries and a block of rays.
 constexpr std::uint64_t base = std::uint64_t{128} << 20;
-constexpr std::uint64_t bytesOfCell = 32;
+/// A cell while it is counted, and in a result that is made or read: as numbers, as bytes of a
+/// file before they are deflated, and after that.
+constexpr std::uint64_t bytesOfCounting = 16, copiesOfResult = 3;
 /// A triangle that casts: in the tile, in the scene, as a ray's candidate, in the tree.
 constexpr std::uint64_t bytesOfCaster = 640;
 /// A triangle of the source that is being read.
@@ -31,14 +33,15 @@ std::uint64_t parsingOf(SourceKind kind) {
 } // namespace
 
 std::uint64_t memoryOf(const Job& job, const std::vector<PlannedSource>& sources,
-                       std::uint64_t casters) {
+                       std::uint64_t casters, std::size_t resultBytesOfCell) {
     std::uint64_t reading = 0;
     for (const std::size_t number : job.sources) {
         const PlannedSource& source = sources[number];
         reading = std::max(reading, source.bytes * parsingOf(source.source.kind) +
                                         source.triangles * bytesOfRead);
     }
-    return base + bytesOfCell * job.cells.count() + bytesOfCaster * casters + reading;
+    return base + (bytesOfCounting + copiesOfResult * resultBytesOfCell) * job.cells.count() +
+           bytesOfCaster * casters + reading;
 }
 
 } // namespace edgeshade::city

@@ -15,14 +15,17 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::uint64_t version = 1;
 constexpr const char* versionKey = "edgeshade_city_job";
-/// Bytes of one cell: lit, object, kind.
-constexpr std::size_t bytesOfCell = 2 + 4 + 1;
 constexpr std::uint64_t mostCells = std::uint64_t{1} << 26;
 
 template <class Number>
 void append(Bytes& bytes, Number number) {
     for (std::size_t b = 0; b < sizeof(Number); ++b)
         bytes.push_back(static_cast<std::uint8_t>(number >> 8 * b));
+}
+
+std::size_t bytesOfCells(const JobResult& result) {
+    return result.cells.count() *
+           bytesOfCell(!result.months.empty(), !result.bits.empty(), result.positions);
 }
 
 /// Takes numbers from the front of bytes.
@@ -54,6 +57,11 @@ JobResult headerFrom(const JsonField& root) {
     if (columns > mostCells || rows > mostCells / columns)
         cells.fail(" is " + cells.value().dump() + ", which is no range of cells");
     result.positions = root.member("positions").wholeNumber(65535);
+    const bool months = root.member("months").boolean(), bits = root.member("bits").boolean();
+    if (bytesOfCell(months, bits, result.positions) * result.cells.count() > mostBytesOfCells)
+        cells.fail(" is " + cells.value().dump() + ", which is more cells than a result has");
+    if (months) result.months.resize(monthsOfYear * result.cells.count());
+    if (bits) result.bits.resize(bytesOfBits(result.positions) * result.cells.count());
     root.member("objects").forEachItem([&](const JsonField& object) {
         result.named.push_back({object.member("source").wholeNumber(), object.member("id").text(),
                                 object.member("building").boolean()});
@@ -70,6 +78,10 @@ void readCells(const Bytes& bytes, const JsonField& root, JobResult& result) {
         result.objects.push_back(taking.take(4));
     for (std::size_t i = 0; i < count; ++i)
         result.kinds.push_back(static_cast<SurfaceKind>(taking.take(1)));
+    for (std::uint16_t& lit : result.months)
+        lit = static_cast<std::uint16_t>(taking.take(2));
+    for (std::uint8_t& bits : result.bits)
+        bits = static_cast<std::uint8_t>(taking.take(1));
     for (std::size_t i = 0; i < count; ++i) {
         const bool isObject = result.objects[i] < result.named.size();
         if (result.lit[i] > result.positions || result.kinds[i] > SurfaceKind::other ||
@@ -79,6 +91,10 @@ void readCells(const Bytes& bytes, const JsonField& root, JobResult& result) {
 }
 
 } // namespace
+
+std::size_t bytesOfCell(bool months, bool bits, std::size_t positions) {
+    return 2 + 4 + 1 + (months ? 2 * monthsOfYear : 0) + (bits ? bytesOfBits(positions) : 0);
+}
 
 std::string fileNameOfJob(std::size_t job) {
     return "job-" + std::to_string(job) + ".city";
@@ -94,15 +110,20 @@ Bytes bytesOfResult(const JobResult& result) {
                          {"job", result.job},
                          {"cells", jsonOf(result.cells)},
                          {"positions", result.positions},
+                         {"months", !result.months.empty()},
+                         {"bits", !result.bits.empty()},
                          {"objects", std::move(objects)}};
     Bytes planes;
-    planes.reserve(bytesOfCell * result.cells.count());
+    planes.reserve(bytesOfCells(result));
     for (const std::uint16_t lit : result.lit)
         append(planes, lit);
     for (const std::uint32_t object : result.objects)
         append(planes, object);
     for (const SurfaceKind kind : result.kinds)
         append(planes, static_cast<std::uint8_t>(kind));
+    for (const std::uint16_t lit : result.months)
+        append(planes, lit);
+    planes.insert(planes.end(), result.bits.begin(), result.bits.end());
     const std::string text = header.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
     Bytes bytes(text.begin(), text.end());
     const Bytes stream = deflated(planes);
@@ -119,7 +140,7 @@ JobResult resultFrom(const std::filesystem::path& path) {
     const JsonField root(path, json, "the header");
     JobResult result = headerFrom(root);
     const auto stream = std::span(bytes).subspan(std::min(end + 1, bytes.size()));
-    const std::optional<Bytes> planes = inflated(stream, bytesOfCell * result.cells.count());
+    const std::optional<Bytes> planes = inflated(stream, bytesOfCells(result));
     if (!planes)
         throw InputError("'" + path.string() + "' is cut short or broken: its " +
                          std::to_string(result.cells.count()) + " cells can't be read.");

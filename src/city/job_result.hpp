@@ -24,8 +24,26 @@ struct JobResult {
     std::vector<std::uint16_t> lit;     ///< number of positions that light the cell
     std::vector<std::uint32_t> objects; ///< in `named`; noSurface: nothing is there
     std::vector<SurfaceKind> kinds;
+    /// Number of positions of each month that light the cell, January first, 12 a cell; may be
+    /// empty.
+    std::vector<std::uint16_t> months;
+    /// Bits of positions, the first in a byte's highest bit, in bytesOfBits() bytes a cell; may be
+    /// empty.
+    Bytes bits;
     std::vector<ResultObject> named; ///< in the order of the first cell that each has
 };
+
+inline constexpr std::size_t monthsOfYear = 12;
+
+/// Bytes of a cell's bits.
+inline std::size_t bytesOfBits(std::size_t positions) {
+    return (positions + 7) / 8;
+}
+
+/// Bytes of a cell in a result, before it is deflated.
+std::size_t bytesOfCell(bool months, bool bits, std::size_t positions);
+/// The most bytes of all cells of a result.
+inline constexpr std::uint64_t mostBytesOfCells = std::uint64_t{1} << 30;
 
 /// "job-12.city", beside the others.
 std::string fileNameOfJob(std::size_t job);

@@ -18,7 +18,7 @@ bool isOver(const PlannedSource& source, const Job& job, double grid) {
 }
 
 void requireOwn(const JobResult& result, const ReadPlan& read, std::size_t number,
-                const std::filesystem::path& path) {
+                std::size_t positions, const std::filesystem::path& path) {
     const Plan& plan = read.plan;
     if (result.plan != read.hash)
         throw InputError("'" + path.string() + "' is the result of another plan.");
@@ -27,6 +27,11 @@ void requireOwn(const JobResult& result, const ReadPlan& read, std::size_t numbe
         throw InputError("'" + path.string() + "' is the result of job " +
                          std::to_string(result.job) + ", not of job " + std::to_string(number) +
                          ".");
+    if (result.positions != positions || result.months.empty() == plan.months ||
+        result.bits.empty() == (plan.bits && positions > 0))
+        throw InputError("'" + path.string() +
+                         "' has other sun positions, months or bits than "
+                         "the plan.");
     for (const ResultObject& object : result.named)
         if (object.source >= plan.sources.size() ||
             !isOver(plan.sources[object.source], job, plan.grid))
@@ -59,14 +64,35 @@ std::vector<std::vector<std::size_t>> sourceEnds(const Plan& plan,
     return ends;
 }
 
-void putRow(const JobResult& result, std::int64_t y, std::int64_t left,
-            std::span<std::int32_t> line) {
-    const auto columns = static_cast<std::size_t>(result.cells.columns());
-    const std::size_t first = static_cast<std::size_t>(y - result.cells.bottom) * columns;
-    for (std::size_t x = 0; x < columns; ++x)
-        if (result.objects[first + x] != noSurface)
-            line[static_cast<std::size_t>(result.cells.left - left) + x] = result.lit[first + x];
-}
+/// A row that jobs put their cells into.
+struct Line {
+    std::vector<std::int32_t> lit;
+    std::vector<std::uint16_t> months;
+    Bytes bits;
+
+    Line(const Plan& plan, std::size_t rowBytes) {
+        const auto columns = static_cast<std::size_t>(plan.region.columns());
+        lit.assign(columns, nothing);
+        if (plan.months) months.assign(monthsOfYear * columns, 0);
+        if (plan.bits) bits.assign(rowBytes * columns, 0);
+    }
+
+    void put(const JobResult& result, std::int64_t y, std::int64_t left) {
+        const auto columns = static_cast<std::size_t>(result.cells.columns()),
+                   to = static_cast<std::size_t>(result.cells.left - left);
+        const std::size_t first = static_cast<std::size_t>(y - result.cells.bottom) * columns;
+        for (std::size_t x = 0; x < columns; ++x)
+            if (result.objects[first + x] != noSurface) lit[to + x] = result.lit[first + x];
+        const auto copy = [&](const auto& from, auto& line, std::size_t perCell) {
+            if (!line.empty())
+                std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(perCell * first),
+                            perCell * columns,
+                            line.begin() + static_cast<std::ptrdiff_t>(perCell * to));
+        };
+        copy(result.months, months, monthsOfYear);
+        copy(result.bits, bits, bytesOfBits(result.positions));
+    }
+};
 
 } // namespace
 
@@ -88,7 +114,7 @@ std::size_t sweepMap(const ReadPlan& read, const std::filesystem::path& results,
     const std::vector<std::vector<std::size_t>> ends = sourceEnds(plan, order);
     std::list<JobResult> held;
     std::size_t next = 0, cells = 0, mostCells = 0;
-    std::vector<std::int32_t> line(static_cast<std::size_t>(plan.region.columns()));
+    const std::size_t positions = hours::positionsOf(plan.schedule).size();
     for (std::int64_t y = plan.region.top - 1; y >= plan.region.bottom; --y) {
         std::erase_if(held, [&](const JobResult& result) {
             const bool isPast = result.cells.bottom > y;
@@ -98,17 +124,17 @@ std::size_t sweepMap(const ReadPlan& read, const std::filesystem::path& results,
         for (; next < order.size() && plan.jobs[order[next] - 1].cells.top > y; ++next) {
             const std::filesystem::path path = results / fileNameOfJob(order[next]);
             held.push_back(resultFrom(path));
-            requireOwn(held.back(), read, order[next], path);
+            requireOwn(held.back(), read, order[next], positions, path);
             cells += held.back().cells.count();
             visitor.job(held.back());
             for (const std::size_t source : ends[next])
                 visitor.sourceEnd(source);
         }
         mostCells = std::max(mostCells, cells);
-        std::ranges::fill(line, nothing);
+        Line line(plan, bytesOfBits(positions));
         for (const JobResult& result : held)
-            putRow(result, y, plan.region.left, line);
-        visitor.row(line);
+            line.put(result, y, plan.region.left);
+        visitor.row({line.lit, line.months, line.bits});
     }
     return mostCells;
 }

@@ -7,15 +7,22 @@
 
 namespace edgeshade::city {
 
+/// A row of a map, from the west.
+struct MapRow {
+    /// The number of sun positions that light each cell; `nothing` where there is no surface.
+    std::span<const std::int32_t> lit;
+    std::span<const std::uint16_t> months; ///< the plan's, as in JobResult
+    std::span<const std::uint8_t> bits;    ///< the plan's, as in JobResult
+};
+
 /// Receives a map piece by piece.
 struct MapVisitor {
     /// Each job once, before its first row.
     std::function<void(const JobResult& result)> job;
     /// Each source once, after all jobs that have cells on it.
     std::function<void(std::size_t source)> sourceEnd;
-    /// Each row of the plan's region, from the north: the number of sun positions that light each
-    /// cell, from the west; `nothing` where there is no surface.
-    std::function<void(std::span<const std::int32_t> lit)> row;
+    /// Each row of the plan's region, from the north.
+    std::function<void(const MapRow& row)> row;
 };
 
 /// Requires that a folder has the results of all jobs. Throws InputError naming the first that is

@@ -1,6 +1,7 @@
 #include "src/city/merge.hpp"
 
 #include "src/city/city_files.hpp"
+#include "src/city/detail_files.hpp"
 #include "src/city/geo_tiff.hpp"
 #include "src/city/map_sweep.hpp"
 #include "src/city/object_sums.hpp"
@@ -28,8 +29,12 @@ bool isCityJson(const Source& source) {
 class Merging {
   public:
     Merging(const Plan& plan, const std::filesystem::path& output)
-        : plan_(plan), files_(output), raster_(files_.add("hours.tif"), plan),
-          table_(files_.scratch("objects"), plan.sources.size()), preview_(plan.region) {}
+        : plan_(plan), files_(output),
+          raster_(files_.add("hours.tif"), plan, std::array{std::string()}),
+          table_(files_.scratch("objects"), plan.sources.size()), preview_(plan.region) {
+        if (plan.months) months_.emplace(files_.add("months.tif"), plan);
+        if (plan.bits) bits_.emplace(files_.add("bits.npy"), plan);
+    }
 
     void addJob(const JobResult& result) {
         addCells(result, hours_);
@@ -48,19 +53,23 @@ class Merging {
                       std::string_view(cityJsonWithHours(objects, plan_, planned)));
     }
 
-    void addRow(std::span<const std::int32_t> lit) {
+    void addRow(const MapRow& row) {
         std::vector<float> hours;
-        hours.reserve(lit.size());
-        for (const std::int32_t count : lit)
+        hours.reserve(row.lit.size());
+        for (const std::int32_t count : row.lit)
             hours.push_back(count == nothing ? noHours
                                              : static_cast<float>(count * hoursOfPosition(plan_)));
         raster_.add(hours);
-        preview_.add(lit);
+        preview_.add(row.lit);
+        if (months_) months_->add(row);
+        if (bits_) bits_->add(row);
     }
 
     Json finish(std::size_t cellsHeld, const std::function<std::uint32_t(double share)>& color) {
         hours_.cellsHeld = cellsHeld;
         raster_.finish();
+        if (months_) months_->finish();
+        if (bits_) bits_->finish();
         table_.write(files_.add("objects.csv"), objectsHeader);
         const Image preview = preview_.image(hours_.most, color);
         writeFile(files_.add("preview.png"),
@@ -77,6 +86,8 @@ class Merging {
     const Plan& plan_;
     StagedFiles files_;
     GeoTiffWriter raster_;
+    std::optional<MonthsFile> months_;
+    std::optional<BitsFile> bits_;
     TextBySource table_;
     Preview preview_;
     ObjectSums sums_;
@@ -92,14 +103,14 @@ Json mergeCity(const ReadPlan& read, const std::filesystem::path& results,
     requireAllThere(read.plan, results);
     Merging merging(read.plan, output);
     const auto rows = static_cast<double>(read.plan.region.rows());
-    std::int64_t row = 0;
+    std::int64_t done = 0;
     const std::size_t cellsHeld =
         sweepMap(read, results,
                  {[&](const JobResult& result) { merging.addJob(result); },
                   [&](std::size_t source) { merging.endSource(source); },
-                  [&](std::span<const std::int32_t> lit) {
-                      merging.addRow(lit);
-                      progress(static_cast<double>(++row) / rows);
+                  [&](const MapRow& row) {
+                      merging.addRow(row);
+                      progress(static_cast<double>(++done) / rows);
                   }});
     return merging.finish(cellsHeld, color);
 }

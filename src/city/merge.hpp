@@ -9,10 +9,11 @@
 namespace edgeshade::city {
 
 /// Joins the results of all jobs, from the folder `results`, and writes into `output` hours.tif,
-/// objects.csv, preview.png, report.json, and for each CityJSON source a file with hours, named
-/// hours-… beside where the source was. All files appear once all are complete. Holds the results
-/// and objects of jobs that one row of cells crosses, no matter how many rows there are. `color`:
-/// 0xRRGGBB of a share of the most hours. `progress` gets the share done. Returns the report.
+/// objects.csv, preview.png, report.json, with the plan's months and bits months.tif and bits.npy,
+/// and for each CityJSON source a file with hours, named hours-… beside where the source was. All
+/// files appear once all are complete. Holds the results and objects of jobs that one row of cells
+/// crosses, no matter how many rows there are. `color`: 0xRRGGBB of a share of the most hours.
+/// `progress` gets the share done. Returns the report.
 ///
 /// Throws InputError: a result is missing or invalid, or a CityJSON source isn't the one that was
 /// planned. Throws Error(output), and Error(unavailable) without libgeotiff.

@@ -33,6 +33,8 @@ struct Plan {
     std::optional<int> epsg;  ///< code of the frame's coordinates
     hours::Schedule schedule; ///< north: of the frame's grid
     double grid = 1.0;        ///< width of a cell, in metres
+    bool months = false;      ///< counts by month too
+    bool bits = false;        ///< which positions light a cell, too
     CellRange region;         ///< that holds all jobs
     std::vector<Job> jobs;
 };

@@ -124,6 +124,8 @@ std::string textOf(const Plan& plan) {
                        {"lod", plan.reading.lod ? Json(*plan.reading.lod) : Json(nullptr)},
                        {"schedule", jsonOf(plan.schedule)},
                        {"grid", plan.grid},
+                       {"months", plan.months},
+                       {"bits", plan.bits},
                        {"region", jsonOf(plan.region)},
                        {"sources", std::move(sources)},
                        {"jobs", std::move(jobs)}};
@@ -144,6 +146,8 @@ ReadPlan planFrom(const std::filesystem::path& path) {
     if (!lod.value().is_null()) plan.reading.lod = lod.number();
     plan.schedule = scheduleOf(root.member("schedule"));
     plan.grid = root.member("grid").positive();
+    plan.months = root.member("months").boolean();
+    plan.bits = root.member("bits").boolean();
     plan.region = cellRangeFrom(root.member("region"));
     root.member("sources").forEachItem(
         [&](const JsonField& source) { plan.sources.push_back(sourceOf(source)); });

@@ -6,6 +6,7 @@
 #include "src/city/coordinate_system.hpp"
 #include "src/city/halo.hpp"
 #include "src/city/job_memory.hpp"
+#include "src/city/job_result.hpp"
 #include "src/city/part_tree.hpp"
 
 #include <algorithm>
@@ -120,7 +121,9 @@ class Division {
   public:
     Division(Plan& plan, std::vector<Part> parts, std::uint64_t memory)
         : plan_(plan), parts_(std::move(parts)), memory_(memory),
-          fan_(hours::positionsOf(plan.schedule)) {}
+          fan_(hours::positionsOf(plan.schedule)),
+          bytesOfCell_(
+              bytesOfCell(plan.months, plan.bits, hours::positionsOf(plan.schedule).size())) {}
 
     /// Makes jobs of squares of that side.
     void divide(std::int64_t side) {
@@ -150,8 +153,8 @@ class Division {
                        });
         std::ranges::sort(job.sources);
         job.sources.erase(std::ranges::unique(job.sources).begin(), job.sources.end());
-        job.memory = memoryOf(job, plan_.sources, casters);
-        if (job.memory <= memory_) {
+        job.memory = memoryOf(job, plan_.sources, casters, bytesOfCell_);
+        if (job.memory <= memory_ && job.cells.count() * bytesOfCell_ <= mostBytesOfCells) {
             plan_.jobs.push_back(std::move(job));
             if (plan_.jobs.size() > mostJobs)
                 throw Error(ExitStatus::usage, "--tiles: the plan has more than " +
@@ -187,6 +190,7 @@ class Division {
     PartTree parts_;
     std::uint64_t memory_;
     SunFan fan_;
+    std::size_t bytesOfCell_; ///< in a result
 };
 
 CellRange regionOf(const std::vector<PlannedSource>& sources, double grid) {
@@ -238,6 +242,8 @@ Plan planOf(const SourceList& list, const PlanChoice& choice,
     plan.reading = choice.reading;
     plan.schedule = choice.schedule;
     plan.grid = choice.grid;
+    plan.months = choice.months;
+    plan.bits = choice.bits;
     Survey survey(list, plan, warnings);
     for (const Source& source : list.sources) {
         progress(static_cast<double>(plan.sources.size()) /

@@ -14,6 +14,7 @@ struct PlanChoice {
     /// The clock's offset from UTC; null: by the place.
     std::optional<std::chrono::minutes> offset;
     double grid = 1.0;
+    bool months = false, bits = false;             ///< as in Plan
     std::uint64_t memory = std::uint64_t{4} << 30; ///< bytes that a job may take
     std::size_t tiles = 1;                         ///< the least number of targets
 };

@@ -25,6 +25,7 @@ struct CityPlanOptions {
     std::optional<double> lod;
     std::uint64_t memory = 0;
     std::size_t tiles = 1;
+    bool months = false, bits = false;
 
     city::PlanChoice choice() const {
         city::PlanChoice choice;
@@ -42,6 +43,8 @@ struct CityPlanOptions {
         choice.grid = grid;
         choice.memory = memory;
         choice.tiles = tiles;
+        choice.months = months;
+        choice.bits = bits;
         return choice;
     }
 };
@@ -114,6 +117,8 @@ void addCityPlanCommand(CLI::App& program) {
     addNumber(*verb, "--lod", of.lod);
     addNumber(*verb, "--memory", of.memory);
     addNumber(*verb, "--tiles", of.tiles);
+    verb->add_flag("--months", of.months);
+    verb->add_flag("--bits", of.bits);
     verb->callback([options] { plan(*options); });
 }
 

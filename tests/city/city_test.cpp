@@ -9,6 +9,7 @@
 #include "tests/support/input_error.hpp"
 #include "tests/support/temp_folder.hpp"
 
+#include <bit>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -79,8 +80,8 @@ class CityRun {
         WholeMap map{plan().region, {}};
         map.cellsHeld = sweepMap(read_, results_,
                                  {[](const JobResult&) {}, [](std::size_t) {},
-                                  [&](std::span<const std::int32_t> lit) {
-                                      map.lit.insert(map.lit.end(), lit.begin(), lit.end());
+                                  [&](const MapRow& row) {
+                                      map.lit.insert(map.lit.end(), row.lit.begin(), row.lit.end());
                                   }});
         return map;
     }
@@ -328,6 +329,65 @@ TEST(CityFaults, MergeWritesNothing) {
     writeFile(run.resultPath(1), bytesOfResult(result));
     test::expectInputError(merge, {"job-1.city", "which isn't over the job's cells"});
     EXPECT_TRUE(output.names().empty());
+}
+
+TEST(City, MonthsAndBitsAddUp) {
+    const test::TempFolder folder, one, many;
+    cityOf(2, 30.0).writeCityJson(folder.path());
+    PlanChoice choice = choiceOf();
+    choice.months = choice.bits = true;
+    choice.schedule.from = 2026y / March / 31;
+    choice.schedule.to = 2026y / April / 1;
+    const CityRun whole(folder.path(), choice, "whole");
+    choice.tiles = 16;
+    const CityRun tiles(folder.path(), choice, "tiles");
+    const WholeMap map = whole.map();
+    tiles.runAll();
+    whole.mergeInto(one.path());
+    tiles.mergeInto(many.path());
+    for (const char* name : {"hours.tif", "months.tif", "bits.npy"})
+        EXPECT_EQ(readFile(one / name), readFile(many / name)) << name;
+    // The months of each cell add up to its count, and its bits are as many.
+    const JobResult result = resultFrom(whole.resultPath(1));
+    const std::size_t rowBytes = bytesOfBits(result.positions);
+    std::array<std::size_t, monthsOfYear> byMonth{};
+    for (std::size_t cell = 0; cell < result.lit.size(); ++cell) {
+        std::size_t ofMonths = 0, ofBits = 0;
+        for (std::size_t month = 0; month < monthsOfYear; ++month) {
+            ofMonths += result.months[monthsOfYear * cell + month];
+            byMonth[month] += result.months[monthsOfYear * cell + month];
+        }
+        for (std::size_t b = 0; b < rowBytes; ++b)
+            ofBits += static_cast<std::size_t>(std::popcount(result.bits[rowBytes * cell + b]));
+        ASSERT_EQ(ofMonths, result.lit[cell]);
+        ASSERT_EQ(ofBits, result.lit[cell]);
+    }
+    for (std::size_t month = 0; month < monthsOfYear; ++month)
+        EXPECT_EQ(byMonth[month] > 0, month == 2 || month == 3) << month;
+    // The array has rows from the north, as the map.
+    const Bytes npy = readFile(one / "bits.npy");
+    ASSERT_EQ(npy.size() % 64, map.lit.size() * rowBytes % 64);
+    const std::size_t data = npy.size() - map.lit.size() * rowBytes;
+    for (std::size_t cell = 0; cell < map.lit.size(); ++cell) {
+        int bits = 0;
+        for (std::size_t b = 0; b < rowBytes; ++b)
+            bits += std::popcount(npy[data + rowBytes * cell + b]);
+        ASSERT_EQ(bits, map.lit[cell]) << cell;
+    }
+    // Bits of a year don't fit into a job of that size.
+    choice.tiles = 1;
+    choice.grid = 0.25;
+    choice.schedule.from = 2026y / January / 1;
+    choice.schedule.to = 2026y / December / 31;
+    choice.schedule.step = minutes(10);
+    choice.memory = std::uint64_t{1} << 50;
+    const CityRun year(folder.path(), choice, "year");
+    EXPECT_GT(year.jobs(), 1u);
+    // A result without them is of another plan, whatever it says.
+    JobResult bare = result;
+    bare.bits.clear();
+    writeFile(whole.resultPath(1), bytesOfResult(bare));
+    test::expectInputError([&] { whole.joined(); }, {"job-1.city", "months or bits"});
 }
 
 TEST(City, MergeHoldsARowOfTargets) {

@@ -25,8 +25,8 @@ with tempfile.TemporaryDirectory() as folder:
         subprocess.run(words, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
     run(make_city, "tiles", "cityjson", "2", "3", "1", "15", "1")
-    run(edgeshade, "city", "plan", "tiles", "--date", "2026-06-21", "--step", "60", "--tiles", "4", "-o",
-        "plan.json")
+    run(edgeshade, "city", "plan", "tiles", "--from", "2026-06-30", "--to", "2026-07-01", "--step", "60", "--tiles",
+        "4", "--months", "--bits", "-o", "plan.json")
     jobs = json.load(open("plan.json"))["jobs"]
     for job in range(1, len(jobs) + 1):
         run(edgeshade, "city", "run", "plan.json", "--job", str(job))
@@ -44,6 +44,18 @@ with tempfile.TemporaryDirectory() as folder:
     hours = report["hours"]
     assert low == hours["min"] and high == hours["max"], (low, high, hours)
     assert abs(mean - hours["mean"]) < 1e-4
+    months = gdal.Open("map/months.tif")
+    assert months.RasterCount == 12 and months.GetGeoTransform() == raster.GetGeoTransform()
+    assert months.GetRasterBand(7).GetDescription() == "July"
+    means = [months.GetRasterBand(month + 1).ComputeStatistics(False)[2] for month in range(12)]
+    assert abs(sum(means) - mean) < 1e-3 and [m > 0 for m in means] == [m in (5, 6) for m in range(12)], means
+    try:
+        import numpy
+    except ImportError:
+        numpy = None
+    if numpy:
+        bits = numpy.unpackbits(numpy.load("map/bits.npy"), axis=2, count=report["positions"])
+        assert (bits.sum(axis=2) == raster.ReadAsArray()).all()
     gdal.Translate("map/cog.tif", raster, format="COG")
     assert gdal.Open("map/cog.tif").GetMetadataItem("LAYOUT", "IMAGE_STRUCTURE") == "COG"
     preview = gdal.Open("map/preview.png")
