@@ -3,7 +3,6 @@
 import { REVISION } from 'three';
 import { isAlphaTested } from '../three/alpha-tests.js';
 import { Casters } from '../three/casters.js';
-import { Clippings } from '../three/clippings.js';
 import { Progress } from '../three/progress.js';
 import { boxAround } from '../three/receiver-box.js';
 import { RestingLights } from '../three/resting-lights.js';
@@ -12,6 +11,7 @@ import { isSeeThrough } from '../three/see-through.js';
 import { ancestorTakesPart, visibleOf } from '../three/visible-objects.js';
 import { Warnings } from '../three/warnings.js';
 import { ShadowMasks } from '../masks/shadow-masks.js';
+import { GroupClippings } from './group-clippings.js';
 import { LightShadows } from './light-shadows.js';
 import { memoryContext } from './memory-context.js';
 import { NodeAlphaTests } from './node-alpha-tests.js';
@@ -79,9 +79,8 @@ export class ExactShadows extends EventTarget {
       return;
     }
     this.#masks = masks;
-    const unclipped = new Clippings({ clippingPlanes: [], localClippingEnabled: false });
     this.#texels = new TexelReading(this.#renderer, masks);
-    this.#casters = new Casters(masks, new NodeAlphaTests(this.#texels), unclipped, this.#warnings, { touched() {}, failed: (message) => this.#tell(message) });
+    this.#casters = new Casters(masks, new NodeAlphaTests(this.#texels), new GroupClippings(), this.#warnings, { touched() {}, failed: (message) => this.#tell(message) });
     this.#resting = new RestingLights(masks, this.#mostLookedUp, () => {});
     this.#progress.invalidate();
   }

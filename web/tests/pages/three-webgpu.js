@@ -2,7 +2,7 @@
 
 import * as three from 'three';
 import { float } from 'three/tsl';
-import { MeshBasicNodeMaterial, RenderTarget, WebGPURenderer } from 'three/webgpu';
+import { ClippingGroup, MeshBasicNodeMaterial, RenderTarget, WebGPURenderer } from 'three/webgpu';
 import { ExactShadows } from 'edgeshade/three';
 import { ExactShadows as NodeShadows } from 'edgeshade/three-webgpu';
 import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
@@ -154,6 +154,21 @@ export function softYard() {
   return scene;
 }
 
+/** A house in a clipping group in another one, with a chest, on a floor that isn't cut: {scene, outer, inner, material}. */
+export function house() {
+  const scene = new three.Scene(), outer = new ClippingGroup(), inner = new ClippingGroup();
+  const material = white({ side: three.DoubleSide });
+  const boxOf = (size, place) => inner.add(meshOf(new three.BoxGeometry(...size), material, place));
+  for (const side of [-1, 1]) {
+    boxOf([0.2, 2, 4.4], [2.1 * side, 1.01, 0]);
+    boxOf([4, 2, 0.2], [0, 1.01, 2.1 * side]);
+  }
+  boxOf([5, 0.2, 5], [0, 2.13, 0]);
+  boxOf([0.9, 0.7, 0.6], [-0.6, 0.37, -0.5]);
+  scene.add(meshOf(new three.BoxGeometry(9, 0.2, 9), white(), [0, -0.1, 0]), outer.add(inner));
+  return { scene, outer, inner, material };
+}
+
 /** {scene, camera, options: of lookedUp()} by name. */
 export async function sceneOf(name) {
   if (name === 'soft yard') return { scene: softYard(), camera: cameraOf(yardView), options: { lightSamples: 16, radius: 0.15, at: { width: 120, height: 90 } } };
@@ -227,5 +242,5 @@ export function compared(a, b, { width } = size) {
   return { differ, beyond, shadow, lit, grey };
 }
 
-export { comparedWithRays, float, MeshBasicNodeMaterial, NodeShadows, RenderTarget, three };
+export { ClippingGroup, comparedWithRays, float, MeshBasicNodeMaterial, NodeShadows, RenderTarget, three };
 window.page = { ready: true };
