@@ -3,8 +3,8 @@
 import { REVISION } from 'three';
 import { isAlphaTested } from '../three/alpha-tests.js';
 import { Casters } from '../three/casters.js';
-import { Clippings } from '../three/clippings.js';
 import { Progress } from '../three/progress.js';
+import { Readiness } from '../three/readiness.js';
 import { boxAround } from '../three/receiver-box.js';
 import { RestingLights } from '../three/resting-lights.js';
 import { castingLights } from '../three/scene-lights.js';
@@ -12,6 +12,7 @@ import { isSeeThrough } from '../three/see-through.js';
 import { ancestorTakesPart, visibleOf } from '../three/visible-objects.js';
 import { Warnings } from '../three/warnings.js';
 import { ShadowMasks } from '../masks/shadow-masks.js';
+import { GroupClippings } from './group-clippings.js';
 import { LightShadows } from './light-shadows.js';
 import { memoryContext } from './memory-context.js';
 import { NodeAlphaTests } from './node-alpha-tests.js';
@@ -44,8 +45,7 @@ export class ExactShadows extends EventTarget {
   #maps = [];   // their maps, or null
   #progress = new Progress(() => this.#goOn(), () => this.dispatchEvent(new Event('change')));
   #mostLookedUp;
-  #starting;
-  #problem = null;
+  #readiness;
   #disposed = false;
   #roots = new Set();
   #last = null; // {scene, camera} of the last update()
@@ -66,10 +66,7 @@ export class ExactShadows extends EventTarget {
     renderer.shadowMap.enabled = true; // otherwise three.js asks no shadow node
     this.#shadows = new LightShadows((mesh, light) => this.#casters?.castingOf(mesh, this.#resting.heldSinceOf(light)) ?? 0,
       (material) => this.#casts(material));
-    this.#starting = this.#start().catch((error) => {
-      this.#problem = error;
-      this.#tell(error.message);
-    });
+    this.#readiness = new Readiness(this.#start(), this.#progress, () => this.#casters, (message) => this.#tell(message));
   }
 
   async #start() {
@@ -79,9 +76,8 @@ export class ExactShadows extends EventTarget {
       return;
     }
     this.#masks = masks;
-    const unclipped = new Clippings({ clippingPlanes: [], localClippingEnabled: false });
     this.#texels = new TexelReading(this.#renderer, masks);
-    this.#casters = new Casters(masks, new NodeAlphaTests(this.#texels), unclipped, this.#warnings, { touched() {}, failed: (message) => this.#tell(message) });
+    this.#casters = new Casters(masks, new NodeAlphaTests(this.#texels), new GroupClippings(), this.#warnings, { touched() {}, failed: (message) => this.#tell(message) });
     this.#resting = new RestingLights(masks, this.#mostLookedUp, () => {});
     this.#progress.invalidate();
   }
@@ -107,15 +103,12 @@ export class ExactShadows extends EventTarget {
   }
 
   /** Resolves once everything in the last update() has its shadows. Throws any error. */
-  async ready() {
-    await this.#starting;
-    if (this.#problem) throw this.#problem;
-    while (this.#last && !this.#disposed) {
-      this.#follow(this.#last);
-      await this.#casters?.settled();
-      if (!this.#casters?.pending) return;
-      await new Promise((resolve) => { setTimeout(resolve); }); // the page goes on between steps
-    }
+  ready() {
+    return this.#readiness.ready(() => {
+      const follows = Boolean(this.#last && !this.#disposed);
+      if (follows) this.#follow(this.#last);
+      return follows;
+    });
   }
 
   /** Whether one more frame would look different, though the scene hasn't changed. */
@@ -125,11 +118,7 @@ export class ExactShadows extends EventTarget {
 
   /** Resolves when the last picture is final until the scene changes. Throws any error. */
   get settled() {
-    return this.#starting.then(async () => {
-      if (this.#problem) throw this.#problem;
-      await this.#progress.settled;
-      await this.#casters?.settled();
-    });
+    return this.#readiness.settled;
   }
 
   /** {bytes of lights' maps, pending meshes, lights looked up}, or null. */

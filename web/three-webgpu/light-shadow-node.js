@@ -57,11 +57,11 @@ export class LightShadowNode extends ShadowBaseNode {
     if (this.#map.show(map) || changed || before < this.#drawsOwn.value) this.#rebind();
   }
 
-  setup({ material }) {
+  setup({ material, camera }) {
     const front = material.side === BackSide ? bool(true) : frontFacing; // the backs are the map's fronts
     const intensity = reference('intensity', 'float', this.light.shadow).setGroup(renderGroup);
     return Fn(() => {
-      const place = placeOnTriangle();
+      const place = placeOnTriangle(Boolean(camera?.isArrayCamera)); // whose views differ within a render
       const share = { lit: float(1).toVar(), tint: this.#lookups.tints ? vec3(1).toVar() : null, cutouts: this.#lookups.cutouts };
       const given = { map: this.#map, directional: Boolean(this.light.isDirectionalLight), place, casts: this.#casts.equal(1).toVar(),
         held: this.#drawsOwn.equal(0), front, share };

@@ -1,7 +1,7 @@
 // Whether a resting light reaches a fragment, by its primitive map, in TSL: as
 // shaders_es2/host/lookup.glsl and primitive_map_lookup.glsl (docs/method.md, C34 to C36).
 
-import { abs, Break, clamp, cross, dFdx, dFdy, dot, float, floor, If, int, length, Loop, max, positionWorld, screenCoordinate, screenSize, select,
+import { abs, Break, clamp, cross, dFdx, dFdy, dot, float, floor, If, int, length, Loop, max, positionView, positionWorld, screenCoordinate, screenSize, select,
   uint, vec2, vec3 } from 'three/tsl';
 import { isSolid } from './cutouts.js';
 import { floatSum, isAtLeastZero } from './exact-sign.js';
@@ -22,11 +22,14 @@ function changeAcross(along, up) {
   return abs(along).mul(max(x, screenSize.x.sub(x))).add(abs(up).mul(max(y, screenSize.y.sub(y))));
 }
 
-/** The fragment's place on its triangle: call it outside of branches, as it takes derivatives. */
-export function placeOnTriangle() {
-  const position = positionWorld.toVar();
+/**
+ * The fragment's place on its triangle, in the world or in the camera's space, where the numbers of large worlds are
+ * small: call it outside of branches, as it takes derivatives.
+ */
+export function placeOnTriangle(isWorld) {
+  const position = (isWorld ? positionWorld : positionView).toVar();
   const along = dFdx(position).toVar(), up = dFdy(position).toVar();
-  return { position, normal: cross(along, up).toVar(), change: changeAcross(along, up).toVar() };
+  return { isWorld, position, normal: cross(along, up).toVar(), change: changeAcross(along, up).toVar() };
 }
 
 /**
@@ -159,9 +162,9 @@ function askList(map, header, { ray, depth }, point, directional, casts, { lit, 
   If(casts.and(foremost.greaterThan(own.add(apart))), () => { lit.assign(0); });
 }
 
-/** A place in map space: {point, rounding: sizes that it is the sum of, and its drift; across: the triangle, of length 1; towardsEye}. */
-function findOn(map, { position, normal, change }) {
-  const [x, y, z, offset] = [0, 1, 2, 3].map((column) => map.mapFromWorld.element(int(column)).xyz.toVar());
+/** A place in map space: {point; across: its triangle, of length 1; rounding: of roundingOf(); towardsEye: of any length}. */
+function findOn(map, { isWorld, position, normal, change }) {
+  const [x, y, z, offset] = [0, 1, 2, 3].map((column) => map.mapFrom(isWorld).element(int(column)).xyz.toVar());
   const point = x.mul(position.x).add(y.mul(position.y)).add(z.mul(position.z)).add(offset).toVar();
   const terms = abs(x.mul(position.x)).add(abs(y.mul(position.y))).add(abs(z.mul(position.z))).add(abs(offset)).toVar();
   const across = cross(y, z).mul(normal.x).add(cross(z, x).mul(normal.y)).add(cross(x, y).mul(normal.z)).toVar();

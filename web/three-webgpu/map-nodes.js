@@ -36,8 +36,7 @@ export class MapNodes {
   #columnBits = shared(0, 'uint'); // the table's columns are a power of 2
   #entries = shared(0, 'uint');    // texels at which entries begin
   #records = shared(0, 'uint');
-
-  #places = shared(0, 'uint');
+  #places = shared(0, 'uint');  // and the places of a light with a radius
 
   /** 1: there is a map; 0: there is none. */
   present = shared(0, 'int');
@@ -47,14 +46,22 @@ export class MapNodes {
   size = shared(1);
   /** 1: a point light with six tiles. */
   sixTiles = shared(0, 'int');
-  mapFromWorld = shared(new Matrix4());
+  #mapFromWorld = new Matrix4();
+  #fromWorld = shared(this.#mapFromWorld);
+  /** In doubles, so that worlds may be large. */
+  #fromView = shared(new Matrix4()).onRenderUpdate(({ camera: { matrixWorld } }, self) => { self.value.multiplyMatrices(this.#mapFromWorld, matrixWorld); });
   /** The camera in map space, homogeneous: a direction for parallel projections. */
   eye = shared(new Vector4()).onRenderUpdate(({ camera: { matrixWorld, projectionMatrix } }, self) => {
     const isParallel = projectionMatrix.elements[15] !== 0;
     const begin = isParallel ? 8 : 12;
     const [x, y, z] = matrixWorld.elements.slice(begin, begin + 3);
-    self.value.set(x, y, z, isParallel ? 0 : 1).applyMatrix4(this.mapFromWorld.value);
+    self.value.set(x, y, z, isParallel ? 0 : 1).applyMatrix4(this.#mapFromWorld);
   });
+
+  /** Map space from the world, or from the space of the render's camera. */
+  mapFrom(isWorld) {
+    return isWorld ? this.#fromWorld : this.#fromView;
+  }
 
   /** `map`: of RestingLights, or null. Returns whether the table is another texture now. */
   show(map) {
@@ -66,7 +73,7 @@ export class MapNodes {
     [this.#places.value, this.sixteens.value] = map.places;
     this.size.value = map.size;
     this.sixTiles.value = map.kind === 2 ? 1 : 0;
-    this.mapFromWorld.value.fromArray(map.mapFromWorld);
+    this.#mapFromWorld.fromArray(map.mapFromWorld);
     return replaced;
   }
 

@@ -39,9 +39,9 @@ export class TexelReading {
     this.#masks = masks;
   }
 
-  /** Whether texels are still being read. */
+  /** Whether texels are still being read that the last frame asked for. */
   get waits() {
-    return Object.values(this.#kept).some((kept) => [...kept.values()].some(({ version, asked, why }) => !why && version !== asked));
+    return Object.values(this.#kept).some((kept) => [...kept.values()].some(({ version, asked, seen, why }) => !why && version !== asked && seen === this.#frame));
   }
 
   /**
@@ -103,9 +103,12 @@ export class TexelReading {
     const material = pairsOf(texture, channel, columns, renderer.coordinateSystem === WebGLCoordinateSystem ? rows - 1 : 0);
     try {
       const before = RendererUtils.resetRendererState(renderer);
-      renderer.setRenderTarget(target);
-      new QuadMesh(material).render(renderer);
-      RendererUtils.restoreRendererState(renderer, before);
+      try {
+        renderer.setRenderTarget(target);
+        new QuadMesh(material).render(renderer);
+      } finally {
+        RendererUtils.restoreRendererState(renderer, before);
+      }
       const { buffer } = await renderer.readRenderTargetPixelsAsync(target, 0, 0, columns, rows);
       return new Uint16Array(buffer, 0, count);
     } finally {

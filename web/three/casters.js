@@ -423,8 +423,9 @@ export class Casters {
 
   /** Sets the planes of all instances, if they have changed. */
   #clip(mesh, had) {
-    const clippings = this.#clippings.of(mesh.material);
+    const clippings = this.#clippings.of(mesh.material, mesh);
     if (had.clippings === clippings) return;
+    if ([...had.clippings, ...clippings].some(({ planes, casts }) => planes.length > 0 && !casts)) had.changed = performance.now();
     had.clippings = clippings;
     for (const id of had.ids) this.#clipOne(id, clippings);
   }

@@ -4,13 +4,13 @@
 export const unclipped = [];
 
 /** three.js's planes as rows of four numbers. One that is not finite clips all or nothing. */
-const rowsOf = (planes) => planes.map(({ normal: { x, y, z }, constant }) => {
+export const rowsOf = (planes) => planes.map(({ normal: { x, y, z }, constant }) => {
   const row = [x, y, z, constant];
   return row.every(Number.isFinite) ? row : [0, 0, 0, constant === -Infinity ? -1 : 1];
 });
 
 /** Whether the planes have the numbers of these rows; makes no garbage. */
-function sameRows(rows, planes) {
+export function sameRows(rows, planes) {
   if (rows.length !== planes.length) return false;
   for (let i = 0; i < rows.length; ++i) {
     const { normal, constant } = planes[i], row = rows[i];

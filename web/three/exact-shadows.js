@@ -12,6 +12,7 @@ import { MaskTextures } from './mask-textures.js';
 import { MaskViews } from './mask-views.js';
 import { MaterialPatches } from './material-patch.js';
 import { Progress } from './progress.js';
+import { Readiness } from './readiness.js';
 import { boxAround } from './receiver-box.js';
 import { needsMask, RestingLights } from './resting-lights.js';
 import { castingLights } from './scene-lights.js';
@@ -55,8 +56,7 @@ export class ExactShadows extends EventTarget {
   #maps = [];    // their maps, or null
   #progress = new Progress(() => this.#goOn(), () => this.dispatchEvent(new Event('change')));
   #mostLookedUp;
-  #starting;
-  #problem = null;
+  #readiness;
   #lost = false;
   #complete = false; // all initial casters have had their shadows
   #disposed = false;
@@ -118,7 +118,7 @@ export class ExactShadows extends EventTarget {
     canvas.addEventListener('webglcontextlost', this.#forget);
     canvas.addEventListener('webglcontextrestored', this.#restore);
     const { reversedDepthBuffer, reverseDepthBuffer } = renderer.capabilities; // the latter in early releases
-    this.#starting = ShadowMasks.create(context, { keepsState, clips: Boolean(reversedDepthBuffer ?? reverseDepthBuffer) }).then(
+    const starting = ShadowMasks.create(context, { keepsState, clips: Boolean(reversedDepthBuffer ?? reverseDepthBuffer) }).then(
       (masks) => {
         if (this.#disposed) return masks.dispose();
         this.#masks = masks;
@@ -133,11 +133,8 @@ export class ExactShadows extends EventTarget {
         this.#cutouts = new CutoutMaps(masks, () => this.#resetRenderer());
         this.#progress.invalidate();
         return undefined;
-      },
-      (error) => {
-        this.#problem = error;
-        this.#tell(error.message);
       });
+    this.#readiness = new Readiness(starting, this.#progress, () => this.#casters, (message) => this.#tell(message));
   }
 
   /** Includes everything below an object from now on, including later additions. */
@@ -161,15 +158,12 @@ export class ExactShadows extends EventTarget {
   }
 
   /** Resolves once everything in the last render() has its shadows. Throws any error. */
-  async ready() {
-    await this.#starting;
-    if (this.#problem) throw this.#problem;
-    while (this.#last && !this.#disposed && !this.#lost) {
-      this.#follow(this.#last);
-      await this.#casters?.settled();
-      if (!this.#casters?.pending) return;
-      await new Promise((resolve) => { setTimeout(resolve); }); // the page goes on between steps
-    }
+  ready() {
+    return this.#readiness.ready(() => {
+      const follows = Boolean(this.#last && !this.#disposed && !this.#lost);
+      if (follows) this.#follow(this.#last);
+      return follows;
+    });
   }
 
   /** Counts hours of sun on an object, under the casters of the last render(). */
@@ -187,11 +181,7 @@ export class ExactShadows extends EventTarget {
 
   /** Resolves when the last picture is final until the scene changes. Throws any error. */
   get settled() {
-    return this.#starting.then(async () => {
-      if (this.#problem) throw this.#problem;
-      await this.#progress.settled;
-      await this.#casters?.settled();
-    });
+    return this.#readiness.settled;
   }
 
   /** Cost of the last masks, or null. */

@@ -56,7 +56,7 @@ export class MeshParts {
   #byTreatment(mesh) {
     const { geometry, material: materials } = mesh;
     const { groups, drawRange } = geometry;
-    const treatments = materials.map((material) => (material ? this.#treatmentOf(material) : ''));
+    const treatments = materials.map((material) => (material ? this.#treatmentOf(material, mesh) : ''));
     const signature = [geometry, ...materials, drawRange.start, drawRange.count, ...treatments,
       ...groups.flatMap(({ start, count, materialIndex }) => [start, count, materialIndex])];
     const known = this.#known.get(mesh);
@@ -76,9 +76,9 @@ export class MeshParts {
   }
 
   /** Identifies materials that masks treat alike. */
-  #treatmentOf(material) {
+  #treatmentOf(material, mesh) {
     const { visible, side, wireframe, displacementMap, uuid } = material;
-    const clippings = this.#clippings.of(material);
+    const clippings = this.#clippings.of(material, mesh);
     return [visible, side, wireframe, (isAlphaTested(material) || isSeeThrough(material) || displacementMap) && uuid,
       clippings.length ? JSON.stringify(clippings) : ''].join();
   }

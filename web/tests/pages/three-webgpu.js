@@ -2,7 +2,7 @@
 
 import * as three from 'three';
 import { float } from 'three/tsl';
-import { MeshBasicNodeMaterial, RenderTarget, WebGPURenderer } from 'three/webgpu';
+import { ClippingGroup, MeshBasicNodeMaterial, RenderTarget, WebGPURenderer } from 'three/webgpu';
 import { ExactShadows } from 'edgeshade/three';
 import { ExactShadows as NodeShadows } from 'edgeshade/three-webgpu';
 import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
@@ -154,11 +154,38 @@ export function softYard() {
   return scene;
 }
 
-/** {scene, camera, options: of lookedUp()} by name. */
+/** A house in a clipping group in another one, with a chest, on a floor that isn't cut: {scene, outer, inner, material}. */
+export function house() {
+  const scene = new three.Scene(), outer = new ClippingGroup(), inner = new ClippingGroup();
+  const material = white({ side: three.DoubleSide });
+  const boxOf = (size, place) => inner.add(meshOf(new three.BoxGeometry(...size), material, place));
+  for (const side of [-1, 1]) {
+    boxOf([0.2, 2, 4.4], [2.1 * side, 1.01, 0]);
+    boxOf([4, 2, 0.2], [0, 1.01, 2.1 * side]);
+  }
+  boxOf([5, 0.2, 5], [0, 2.13, 0]);
+  boxOf([0.9, 0.7, 0.6], [-0.6, 0.37, -0.5]);
+  scene.add(meshOf(new three.BoxGeometry(9, 0.2, 9), white(), [0, -0.1, 0]), outer.add(inner));
+  return { scene, outer, inner, material };
+}
+
+/** The yard and its camera, `x` and `z` from the world's origin. */
+export function farYard(x = 1e6, z = -1e6) {
+  const { scene } = yard(), far = new three.Scene(), place = new three.Group();
+  place.position.set(x, 0, z);
+  const camera = cameraOf(yardView);
+  camera.position.add(place.position);
+  place.add(...scene.children);
+  far.add(place);
+  return { scene: far, camera, place, options: { highPrecision: true } };
+}
+
+/** {scene, camera, options: of lookedUp(); place: of its lights, if not the scene} by name. */
 export async function sceneOf(name) {
+  if (name === 'far yard') return farYard();
   if (name === 'soft yard') return { scene: softYard(), camera: cameraOf(yardView), options: { lightSamples: 16, radius: 0.15, at: { width: 120, height: 90 } } };
   if (name === 'leaves') return { scene: leaves(), camera: cameraOf(yardView) };
-  if (name === 'sheets') return { scene: sheets(), camera: cameraOf(yardView), options: { transparentCast: 'tint' } };
+  if (name === 'sheets') return { scene: sheets(), camera: cameraOf(yardView), options: { transparentCast: 'tint', at: { width: 160, height: 120 } } };
   if (name === 'panes') return { scene: panes(), camera: cameraOf(yardView), options: { transparentCast: 'tint' } };
   if (name === 'pavilion') return { scene: await pavilion(), camera: cameraOf({ from: [-2.6, 3.6, 10.2], to: [0.2, 1.3, -0.2] }) };
   return { scene: name === 'instances' ? posts() : yard().scene, camera: cameraOf(yardView) };
@@ -196,8 +223,9 @@ export async function redOf(renderer, draw) {
 export const shadowsOf = (renderer, options) => (renderer.isWebGLRenderer ? new ExactShadows(renderer, options) : new NodeShadows(renderer, options));
 
 /** A picture of the size `at` with all lights looked up, `options` for their shadows: {lookedUp, red, methods}. */
-export async function lookedUp(backend, scene, camera, { lights = 1, radius = 0, at = size, ...options } = {}) {
+export async function lookedUp(backend, scene, camera, { lights = 1, radius = 0, at = size, highPrecision = false, ...options } = {}) {
   const renderer = await rendererOf(backend, at);
+  renderer.highPrecision = highPrecision; // of a WebGPURenderer, for worlds far off
   const shadows = shadowsOf(renderer, { lookups: 4, ...options }).add(scene);
   scene.traverse((light) => { if (light.isLight) shadows.setRadius(light, radius); });
   const found = await rested(shadows, scene, camera, lights);
@@ -209,23 +237,56 @@ export async function lookedUp(backend, scene, camera, { lights = 1, radius = 0,
   return { lookedUp: found, red, methods };
 }
 
+/** Whether a sun shines on what a ray from the camera meets at a place in the picture, in pixels. */
+function shinesAt({ meshes, camera, light }, x, y) {
+  const { width, height } = size, ray = new three.Raycaster();
+  ray.setFromCamera(new three.Vector2(2 * x / width - 1, 1 - 2 * y / height), camera);
+  const eye = ray.ray.direction.clone(), [hit] = ray.intersectObjects(meshes, false);
+  if (!hit) return false;
+  const normal = hit.face.normal.clone().transformDirection(hit.object.matrixWorld);
+  if (normal.dot(eye) > 0) normal.negate();
+  const towards = light.position.clone().normalize();
+  ray.near = 1e-5;
+  ray.set(hit.point, towards);
+  return normal.dot(towards) > 0 && ray.intersectObjects(meshes, false).length === 0;
+}
+
+/**
+ * The pixels of `places` that are on no border of a sun's light by rays on the CPU: none through places 0.02
+ * pixels from their middles finds another light.
+ */
+export function onNoBorder(scene, camera, places) {
+  const meshes = [];
+  let light = null;
+  scene.traverse((object) => {
+    if (object.isMesh) meshes.push(object);
+    if (object.isDirectionalLight) light = object;
+  });
+  return places.filter((i) => {
+    const x = i % size.width + 0.5, y = Math.floor(i / size.width) + 0.5;
+    const found = [[0, 0], [-0.02, 0], [0.02, 0], [0, -0.02], [0, 0.02]].map(([u, v]) => shinesAt({ meshes, camera, light }, x + u, y + v));
+    return found.every((shines) => shines === found[0]);
+  });
+}
+
 /**
  * {differ: pixels whose light differs, beyond: those with no boundary of the first picture within a pixel,
- * shadow: dark ones, lit, grey} of two pictures.
+ * places: their indices, shadow: dark ones, lit, grey} of two pictures.
  */
 export function compared(a, b, { width } = size) {
   const around = [-1, 0, 1].flatMap((row) => [-1, 0, 1].map((column) => row * width + column));
-  let differ = 0, beyond = 0, shadow = 0, lit = 0, grey = 0;
+  const places = [];
+  let differ = 0, shadow = 0, lit = 0, grey = 0;
   for (let i = 0; i < a.length; ++i) {
     const differs = Math.abs(a[i] - b[i]) > 2;
     differ += differs;
-    beyond += differs && around.every((step) => a[i + step] === undefined || a[i + step] === a[i]);
+    if (differs && around.every((step) => a[i + step] === undefined || a[i + step] === a[i])) places.push(i);
     shadow += a[i] < 20;
     lit += a[i] > 240;
     grey += a[i] >= 20 && a[i] <= 240;
   }
-  return { differ, beyond, shadow, lit, grey };
+  return { differ, beyond: places.length, places, shadow, lit, grey };
 }
 
-export { comparedWithRays, float, MeshBasicNodeMaterial, NodeShadows, RenderTarget, three };
+export { ClippingGroup, comparedWithRays, float, MeshBasicNodeMaterial, NodeShadows, RenderTarget, three };
 window.page = { ready: true };
