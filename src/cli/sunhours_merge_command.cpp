@@ -17,8 +17,8 @@
 namespace edgeshade::cli {
 namespace {
 
-/// Share of the progress bar at which all parts are read.
-constexpr double allRead = 0.6;
+/// Shares of the progress bar at which all parts are read, and joined.
+constexpr double allRead = 0.6, allJoined = 0.95;
 
 struct MergeOptions {
     SunHoursFiles files;
@@ -72,10 +72,11 @@ void mergeSurfaces(const MergeOptions& options) {
     requireBitsFit(options.files, merge.cells(), merge.positions());
     const hours::SurfacePart whole =
         std::move(merge).whole(keepsBits(options.files), [&](double share) {
-            bar.show(allRead + (1.0 - allRead) * share, "joining cells");
+            bar.show(allRead + (allJoined - allRead) * share, "joining cells");
         });
+    bar.show(allJoined, "making files");
+    writeSurfaces(whole, options.parts.front(), options.files, options.when, bar);
     printWarnings(whole.run.warnings);
-    writeSurfaces(whole, options.parts.front(), options.files, options.when);
 }
 
 /// Moves files of surfaces at the beginning of the parts to those that are written.

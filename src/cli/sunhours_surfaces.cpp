@@ -14,6 +14,7 @@
 #include "src/hours/surfaces/surface_part_file.hpp"
 #include "src/hours/surfaces/windows.hpp"
 
+#include <span>
 #include <tuple>
 
 namespace edgeshade::cli {
@@ -63,10 +64,11 @@ void requireSize(const hours::SurfacePart& part) {
                                            "a larger --grid.");
 }
 
-/// Writes a part's file.
-void writePart(const SunHoursOptions& options, const hours::SurfacePart& part) {
+/// Writes a part's file; ends the bar.
+void writePart(const SunHoursOptions& options, const hours::SurfacePart& part, ProgressBar& bar) {
     const std::string& path = options.files.picture;
     writeFile(path, std::string_view(hours::textOf(part)));
+    bar.show(1.0, "done");
     printResult(path + ": part " + std::to_string(part.number) + " of " + std::to_string(part.of) +
                     ", " + std::to_string(part.run.cells.cells.size()) + " cells, " +
                     std::to_string(part.run.positions.size()) + " of " +
@@ -126,11 +128,11 @@ void sunHoursOfSurfaces(const SunHoursOptions& options) {
         hours::worldTriangles(loaded.scene, [](std::uint32_t, std::uint32_t) { return true; });
     part.positionsOfRun = run.positions.size();
 
-    std::vector<double> beam = part.beam;
+    std::span<const double> beam = part.beam;
     const bool bits = options.part || keepsBits(options.files);
     if (options.part) {
         run.positions = hours::ofPart(run.positions, part.number, part.of);
-        beam.clear(); // merging sums the energy
+        beam = {}; // merging sums the energy
         requireSize(part);
     } else {
         requireBitsFit(options.files, run.cells.cells.size(), run.positions.size());
@@ -144,10 +146,9 @@ void sunHoursOfSurfaces(const SunHoursOptions& options) {
                                });
     bar.show(filesFrom, "making files");
     if (options.part)
-        writePart(options, part);
+        writePart(options, part, bar);
     else
-        writeSurfaces(part, options.input, options.files, options.surface.when);
-    bar.show(1.0, "done");
+        writeSurfaces(part, options.input, options.files, options.surface.when, bar);
 }
 
 } // namespace edgeshade::cli

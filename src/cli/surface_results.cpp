@@ -2,7 +2,6 @@
 
 #include "preprocess/base/error.hpp"
 #include "src/cli/number_text.hpp"
-#include "src/cli/report.hpp"
 #include "src/cli/surface_files.hpp"
 #include "src/hours/surfaces/bits_npy.hpp"
 #include "src/hours/surfaces/surface_report.hpp"
@@ -72,7 +71,7 @@ void requireBitsFit(const SunHoursFiles& files, std::size_t cells, std::size_t p
 }
 
 void writeSurfaces(const hours::SurfacePart& whole, const std::string& source,
-                   const SunHoursFiles& files, bool when) {
+                   const SunHoursFiles& files, bool when, ProgressBar& bar) {
     const hours::SurfaceRun& run = whole.run;
     // Make everything before writing anything.
     const hours::HoursSettings settings =
@@ -85,6 +84,7 @@ void writeSurfaces(const hours::SurfacePart& whole, const std::string& source,
         made.push_back(makePage(files.report, run, settings, report, whole.scene));
     for (const MadeFile& file : made)
         writeFile(file.path, file.bytes);
+    bar.show(1.0, "done");
     printResult(files.picture + summaryOf(run, report), files.report);
     if (!isPage(files.report)) writeReport(report, files.report);
 }

@@ -135,7 +135,11 @@ std::string HoursCounter::measureVertices(std::uintptr_t normals) {
             const glm::dvec3 point(place * glm::dvec4(batch.geometry->positions[i], 1.0));
             const glm::dvec3 normal =
                 turned * glm::dvec3(glm::make_vec3(at<float>(normals) + 3 * i));
-            vertices_.push_back(rays::SurfacePoint::at(point, normal, rays::SurfacePoint::none));
+            const bool sound = isFinite(point) && isFinite(normal) && normal != glm::dvec3(0.0);
+            if (!sound) unsound_.push_back(i);
+            vertices_.push_back(
+                sound ? rays::SurfacePoint::at(point, normal, rays::SurfacePoint::none)
+                      : rays::SurfacePoint());
         }
         begin(vertices_.size());
     });
@@ -180,6 +184,8 @@ bool HoursCounter::advance() {
                                     directions_);
         for (std::size_t i = counted_; i < end; ++i)
             counts_[i] = static_cast<std::uint32_t>(bits.count(i - counted_));
+        for (const std::size_t i : unsound_)
+            counts_[i] = 0;
         counted_ = end;
     });
     return !problem_.empty() || counted_ == counts_.size();

@@ -31,15 +31,16 @@ class HoursCounter {
     std::string setTimes(double latitude, double longitude, std::uintptr_t seconds,
                          std::size_t count, double minAltitude, double north);
 
-    /// Adds triangles; place() says where. `positions`: floats; `indices`: 32 bits each.
-    /// Triangles that aren't finite are left out.
+    /// Adds triangles; place(), called at least once, says where. `positions`: floats; `indices`:
+    /// 32 bits each. Triangles that aren't finite are left out.
     std::string addMesh(std::uintptr_t positions, std::size_t floats, std::uintptr_t indices,
                         std::size_t count);
     /// Places the last mesh. `matrix`: 16 doubles, to the world, by columns. `measured`: by
     /// measureCells().
     std::string place(std::uintptr_t matrix, bool casts, bool measured);
 
-    /// Measures the vertices of the last mesh at its last place. A vertex faces its normal's side.
+    /// Measures the vertices of the last mesh at its last place. A vertex faces its normal's side;
+    /// those without a finite place or normal, or with the normal 0, are dark.
     /// `normals`: floats, 3 for each vertex, in the mesh's space.
     std::string measureVertices(std::uintptr_t normals);
     /// Measures the cells of a grid on meshes that say so; see hours::cellsOf(). `width` and
@@ -75,6 +76,7 @@ class HoursCounter {
     std::unique_ptr<hours::SensorRays> rays_;
     hours::SurfaceCells cells_;
     std::vector<rays::SurfacePoint> vertices_; ///< empty: cells are measured
+    std::vector<std::size_t> unsound_;         ///< vertices that are dark in any case
     std::vector<std::uint32_t> counts_;
     std::size_t counted_ = 0;
     std::string problem_;

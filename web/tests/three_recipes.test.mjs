@@ -280,6 +280,25 @@ recipe('Soft sun', async () => {
   assert.ok(told.soft.grey > told.hard.grey + 200 && told.soft.different > told.hard.different + 30);
 });
 
+recipe('Hours of sun', async () => {
+  const told = await inRecipe('Hours of sun', async ({ three }, { begin, run, end }, lines) => {
+    const { scene, shadows } = await begin();
+    const ground = new three.Mesh(new three.PlaneGeometry(8, 8, 8, 8).rotateX(-Math.PI / 2).translate(0, 0.01, 0), new three.MeshStandardMaterial());
+    scene.add(ground);
+    window.ground = ground;
+    const { hours, possible } = await run(lines, ['hours', 'possible']);
+    const { color } = ground.geometry.attributes;
+    end(shadows);
+    return { possible, hours: [...hours.array], red: [...hours.array].map((_, i) => color.getX(i)), material: ground.material.type };
+  });
+  assert.ok(told.possible > 11.5 && told.possible < 12.5, `${told.possible} h on the equinox`);
+  assert.equal(told.hours.length, 81);
+  assert.ok(Math.max(...told.hours) > Math.min(...told.hours) + 2, 'walls shade some of the ground');
+  assert.equal(told.material, 'MeshBasicMaterial');
+  const darkest = told.hours.indexOf(Math.min(...told.hours)), lightest = told.hours.indexOf(Math.max(...told.hours));
+  assert.ok(told.red[darkest] < told.red[lightest]);
+});
+
 recipe('Reading costs', async () => {
   const told = await inRecipe('Reading costs', async (_, { begin, run, end }, lines) => {
     const { settled, shadows } = await begin();
@@ -298,8 +317,8 @@ recipe('Reading costs', async () => {
     { light: 'sun', method: 'lookup', reason: 'it rests, and so do all casters' }]);
 });
 
-test('there are ten recipes of at most ten lines, each has a test, and the console stays empty', async () => {
-  assert.equal(recipes.size, 10);
+test('there are eleven recipes of at most ten lines, each has a test, and the console stays empty', async () => {
+  assert.equal(recipes.size, 11);
   for (const [title, lines] of recipes) assert.ok(lines.split('\n').filter(Boolean).length <= 10, title);
   assert.deepEqual(tested, [...recipes.keys()]);
   await shared.check(page, [/GPU stall due to ReadPixels/, /THREE\.Clock/]); // that of @react-three/fiber

@@ -195,6 +195,23 @@ test('calls report progress, can be cancelled, and refuse what they cannot measu
     await refuse('instances', posts);
     await refuse('group', scene);
     await refuse('normals', new THREE.Mesh(new THREE.BufferGeometry().setAttribute('position', new THREE.BufferAttribute(new Float32Array(9), 3))));
+    await refuse('nothing', new THREE.Group(), { grid: 1 });
+    tower.scale.set(0, 0, 0); // it is no longer in the way, and nowhere else either
+    shadows.render(scene, window.page.cameraOf({ from: [9, 8, 12], to: [0, 1, 0], fov: 50 }, 4 / 3));
+    await refuse('flat', tower);
+    const broken = ground.clone();
+    broken.geometry = ground.geometry.clone();
+    const { position, normal } = broken.geometry.attributes;
+    position.setX(0, NaN);
+    normal.setXYZ(1, 0, 0, 0);
+    normal.setY(2, Infinity);
+    scene.remove(posts);
+    shadows.render(scene, window.page.cameraOf({ from: [9, 8, 12], to: [0, 1, 0], fov: 50 }, 4 / 3));
+    const free = await shadows.sunHours(broken, options);
+    told.free = { dark: [...free.counts].flatMap((count, i) => (count === 0 ? [i] : [])), others: [...free.counts].filter((count) => count !== 0 && count !== free.positions).length };
+    tower.scale.set(1, 1, 1);
+    scene.add(posts);
+    shadows.render(scene, window.page.cameraOf({ from: [9, 8, 12], to: [0, 1, 0], fov: 50 }, 4 / 3));
     const noon = await shadows.sunHours(tower, { ...options, date: undefined, times: [new Date('2026-03-21T12:00+01:00'), new Date('2026-03-21T23:00+01:00')] });
     told.noon = { positions: noon.positions, lit: Math.max(...noon.counts), dark: Math.min(...noon.counts) };
     const three = await shadows.sunHours(ground, { ...options, date: ['2026-03-20', '2026-03-22'], hours: [11, 13] });
@@ -212,11 +229,12 @@ test('calls report progress, can be cancelled, and refuse what they cannot measu
   assert.ok(told.shares.length > 2 && told.shares.every((share, i) => share > 0 && share <= 1 && share >= (told.shares[i - 1] ?? 0)));
   assert.equal(told.aborted, 'AbortError');
   assert.equal(told.abortedBefore, 'AbortError');
+  assert.deepEqual(told.free, { dark: [0, 1, 2], others: 0 });
   assert.deepEqual(told.noon, { positions: 1, lit: 1, dark: 0 });
   assert.deepEqual(told.three, { positions: 36, possible: 6 });
   assert.deepEqual(told.night, { positions: 0, most: 0 });
   const said = { place: /latitude/, date: /date must be/, day: /^sunHours\(\): '2026-02-30'.*\.$/, step: /divide/, hours: /clock hours/, grid: /grid must be above 0/,
-    cells: /^sunHours\(\): grid: .*10000000/, instances: /'posts' stands at several places/, group: /no mesh/, normals: /no normals/, unrendered: /needs a render/ };
+    cells: /^sunHours\(\): grid: .*10000000/, instances: /'posts' stands at several places/, group: /no mesh/, nothing: /no visible mesh/, flat: /scaled to nothing/, normals: /no normals/, unrendered: /needs a render/ };
   for (const [name, words] of Object.entries(said)) assert.match(told.refused[name], words, name);
 });
 

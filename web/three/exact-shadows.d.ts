@@ -1,6 +1,6 @@
 /** Exact shadows in three.js. */
 
-import type { Camera, Color, CubeCamera, Light, Material, Object3D, WebGLRenderer, WebGLRenderTarget } from 'three';
+import type { BufferAttribute, BufferGeometry, Camera, Color, CubeCamera, Light, Material, Mesh, Object3D, Vector3, WebGLRenderer, WebGLRenderTarget } from 'three';
 import type { MaskCost } from '../masks/shadow-masks.js';
 
 /** Version of the package, "major.minor.patch". */
@@ -43,6 +43,59 @@ export interface LightShadow {
   method: 'lookup' | 'lookup and movers' | 'mask' | 'mask and cutouts' | 'none';
   /** A clause. */
   reason: string;
+}
+
+/** Sun positions that ExactShadows.sunHours() counts: those of days, or of times. */
+export interface SunHoursOptions {
+  /** [latitude, longitude], in degrees. */
+  place: readonly [number, number];
+  /** '2026-03-21', or the first and the last of several days. */
+  date?: string | readonly [string, string];
+  /** Moments, in place of `date`; those at which the sun is down don't count. */
+  times?: readonly Date[];
+  /** Minutes that each position stands for; they divide the clock hours. Default: 10. */
+  step?: number;
+  /** Clock hours that count, [9, 17] or [9.5, 15]. Default: [0, 24]. */
+  hours?: readonly [number, number];
+  /** The clock's offset, '+02:00', summer time included. Default: whole hours, nearest to longitude / 15. */
+  utcOffset?: string;
+  /** The sun counts where it appears higher, in degrees. Default: 0. */
+  minAltitude?: number;
+  /** Degrees clockwise, seen from above, from the scene's -Z to its north; +Y is up. Default: 0. */
+  north?: number;
+  /** Cancels the call, which then throws the signal's reason. */
+  signal?: AbortSignal;
+  /** Receives the share that is done. */
+  onProgress?: (share: number) => void;
+}
+
+export interface SunHours {
+  /** The number of sun positions. */
+  positions: number;
+  /** Their hours. */
+  possible: number;
+  /** The number of positions that light each vertex, or each cell. */
+  counts: Uint32Array;
+}
+
+/** Hours at a mesh's vertices. */
+export interface VertexSunHours extends SunHours {
+  /** One float for each vertex of the geometry, for its setAttribute(). */
+  hours: BufferAttribute;
+}
+
+/** Hours of cells. */
+export interface CellSunHours extends SunHours {
+  /** The cells, in world axes around `origin`, with normals and the attribute `hours`. */
+  geometry: BufferGeometry;
+  /** The place in the world for a mesh of that geometry. */
+  origin: Vector3;
+  /**
+   * By cell: sensors and normals in the world, 3 numbers each, areas in scene units squared, hours, and
+   * why it is to be left out of sums: 0 not at all, 1 its sensor is within a solid, 2 it lies on another
+   * cell's surface that faces the same way.
+   */
+  cells: { points: Float64Array; normals: Float64Array; areas: Float64Array; hours: Float32Array; leftOut: Uint8Array };
 }
 
 /**
@@ -141,6 +194,21 @@ export class ExactShadows extends EventTarget {
    * no light is about to be looked up. Throws any error.
    */
   readonly settled: Promise<void>;
+  /**
+   * Hours of sun on an object, under the casters of the last render(): meshes that cast with all of their
+   * triangles, whole. Cutouts and tints cast nothing, and clipping planes cut nothing. Waits for ready();
+   * a worker counts, by rays without rounding, as `edgeshade sunhours` does. Throws an Error with a
+   * sentence.
+   *
+   * Without `grid`: at each vertex of a mesh, which has normals, stands at one place and isn't bent. A
+   * vertex is lit from the side that its normal faces, unless a caster is in the way; faces that meet
+   * there aren't.
+   *
+   * With `grid`: in the middle of cells on the fronts of all visible meshes of the object, at most `grid`
+   * wide and high, in scene units; `offset`: of sensors from their surfaces.
+   */
+  sunHours(object: Mesh, options: SunHoursOptions & { grid?: undefined }): Promise<VertexSunHours>;
+  sunHours(object: Object3D, options: SunHoursOptions & { grid: number; offset?: number }): Promise<CellSunHours>;
   /** Whether one more frame would look different, though the scene hasn't changed. */
   readonly needsUpdate: boolean;
   /**

@@ -45,6 +45,7 @@ function requireMesh(mesh) {
   if (!mesh.isMesh) fail(`object '${name}' is no mesh, so that only a grid can measure it`);
   if (mesh.isInstancedMesh || mesh.isBatchedMesh) fail(`${which} stands at several places, so that only a grid can measure it`);
   if (isPosed(mesh)) fail(`${which} is skinned or morphed, so that only a grid can measure it`);
+  if (!mesh.matrixWorld.determinant()) fail(`${which} is scaled to nothing`); // or NaN
   if (!geometry.attributes.normal) fail(`${which} has no normals, by which vertices face the sky`);
 }
 
@@ -73,6 +74,7 @@ function taskOf(object, casters, { grid, offset = 0 }, days) {
   object.traverseVisible((one) => one.isMesh && measured.add(one));
   const known = new Set(casters.map(({ whole }) => whole));
   const others = [...measured].filter((mesh) => !known.has(mesh)).map((mesh) => meshOf(mesh, placesOf(mesh), false, true));
+  if (measured.size === 0) fail('there is no visible mesh to measure');
   return { days, grid, offset, meshes: [...casters.map(({ part, whole, places }) => meshOf(part, places, true, measured.has(whole))), ...others] };
 }
 
@@ -103,7 +105,8 @@ function workOn(task, { signal, onProgress }) {
       event.preventDefault();
       reject(new Error(`The browser stopped the worker that counts hours of sun${event.message ? ` (${event.message})` : ''}.`));
     };
-    worker.postMessage(task, task.meshes.flatMap(({ positions, indices }) => [positions.buffer, indices.buffer]));
+    const meshes = task.meshes.filter(({ places }) => places.length > 0);
+    worker.postMessage({ ...task, meshes }, meshes.flatMap(({ positions, indices }) => [positions.buffer, indices.buffer]));
   }).finally(() => {
     signal?.removeEventListener('abort', leave);
     worker.terminate();
