@@ -15,11 +15,11 @@ const assertRight = (name, { surfaces, dark, wrong, beyond }) => {
   assert.ok(beyond <= 0.0002 * surfaces && wrong <= 0.04 * surfaces, `${name}: ${wrong} of ${surfaces} pixels are wrong, ${beyond} of them beyond outlines`);
 };
 
-const leaves = async ({ ExactShadows, rested, redOf, comparedWithRays }, { floorOf, treeOf, leafAtlas, white }, light) => {
+const leaves = async ({ ExactShadows, redOf, comparedWithRays }, { floorOf, treeOf, leafAtlas, white, wholly }, light) => {
   const { renderer, scene, light: source, camera } = floorOf(window.page, light);
   scene.add(treeOf(white({ map: leafAtlas(), alphaTest: 0.4 })));
   const shadows = new ExactShadows(renderer).add(scene);
-  const lookedUp = await rested(shadows, scene, camera);
+  const lookedUp = await wholly(window.page, shadows, scene, camera);
   return { lookedUp, ...comparedWithRays(redOf(renderer), renderer, scene, camera, source), error: renderer.getContext().getError() };
 };
 

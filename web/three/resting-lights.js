@@ -9,9 +9,6 @@ const restMs = 500;
 /** The most that moved casters must rest to be in a light's map, after they kept ending it. */
 const longestRestMs = 80_000;
 
-/** Bytes uploaded in a step: some milliseconds. */
-const bytesAStep = 2 * 2 ** 20;
-
 /** Everything that the shadows of a light with a map depend on. `samples`: of one with a radius. */
 const keyOf = ({ kind, position, direction, radius }, samples) => `${radius > 0 ? `${radius} ${samples}` : 0} ${kind === 'directional' ? direction : position}`;
 
@@ -174,7 +171,7 @@ export class RestingLights {
     const entry = [...this.#entries.values()].find(({ next }) => next?.state);
     if (!entry) return;
     const { next, current } = entry;
-    if (this.#masks.uploadLookup(next.id, bytesAStep)) {
+    if (this.#masks.uploadLookupStep(next.id)) {
       const { why, ...map } = this.#masks.lookup(next.id);
       if (why) next.why = why;
       else next.map = { ...map, slot: current?.map?.slot ?? this.#freeSlot() };

@@ -13,7 +13,6 @@ export function white(settings) {
 /** A floor, a box on it, a light and a camera that looks down. */
 export function floorOf({ rendererOf, lampOf, cameraOf }, { kind = 'DirectionalLight', position = [0.4, 1, 0.3], width = 200, height = 130 } = {}) {
   const renderer = rendererOf({ width, height });
-  if ('useLegacyLights' in renderer) renderer.useLegacyLights = false; // white is brighter than white with them
   const scene = new three.Scene();
   const made = (geometry, at) => {
     const mesh = new three.Mesh(geometry, white());
