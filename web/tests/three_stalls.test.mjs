@@ -83,3 +83,36 @@ test('meshes and lookups come without questions to the GL that wait for pending 
   assert.deepEqual(told.waiting, []);
   await shared.check(page, [/GPU stall due to ReadPixels/]);
 });
+
+test('a map is uploaded in pieces of some milliseconds, each once the GPU has taken the one before', async () => {
+  const page = await openThree(shared);
+  const told = await page.evaluate(async () => {
+    const { three } = window.page;
+    const { ShadowMasks } = await import('/masks/shadow-masks.js');
+    const gl = document.createElement('canvas').getContext('webgl2');
+    const masks = await ShadowMasks.create(gl);
+    const { index, attributes } = new three.TorusKnotGeometry(1, 0.4, 300, 40);
+    masks.add(await masks.prepare({ positions: attributes.position.array, indices: index.array }), new three.Matrix4().elements);
+    const id = await masks.buildLookup({ direction: [0.2, -1, 0.1] }, { restMs: 0 });
+    const pieces = [];
+    gl.texSubImage2D = (...given) => {
+      pieces.push(16 * given[4] * given[5]);
+      for (const since = performance.now(); performance.now() - since < 30;); // a slow one
+      WebGL2RenderingContext.prototype.texSubImage2D.apply(gl, given);
+    };
+    let busy = true;
+    gl.getSyncParameter = () => (busy ? gl.UNSIGNALED : gl.SIGNALED);
+    const done = [masks.uploadLookupStep(id), masks.uploadLookupStep(id), masks.uploadLookupStep(id)];
+    const whileBusy = pieces.length;
+    busy = false;
+    let steps = 0;
+    do ++steps; while (!masks.uploadLookupStep(id));
+    const { uploaded, bytes } = masks.lookup(id);
+    return { pieces, done, whileBusy, steps, uploaded, bytes, error: gl.getError() };
+  });
+  console.log(told);
+  assert.deepEqual([told.done, told.whileBusy, told.uploaded, told.error], [[false, false, false], 1, true, 0]);
+  assert.ok(told.pieces[0] <= 2 ** 20 && told.pieces[1] <= told.pieces[0] / 2 && told.pieces[2] <= told.pieces[1] / 2, 'slow pieces get smaller');
+  assert.equal(told.pieces.length, told.steps + 1);
+  await shared.check(page);
+});
