@@ -60,10 +60,21 @@ test('meshes and lookups come without questions to the GL that wait for pending 
   const told = await page.evaluate(async () => {
     const { yard, ExactShadows, cameraOf, rested } = window.page;
     const { building } = await import('/tests/building.js');
-    const { renderer, scene } = yard({ width: 80, height: 60 });
+    const { renderer, scene, box } = yard({ width: 80, height: 60 });
     const camera = cameraOf({ from: [9, 8, 10], to: [0, 0.6, 0], fov: 50 }, 4 / 3);
     const shadows = new ExactShadows(renderer).add(scene);
     await rested(shadows, scene, camera);
+    const { ShadowMasks } = await import('/masks/shadow-masks.js'), { lookupState } = ShadowMasks.prototype;
+    const compared = [0, 0];
+    for (const [i, move] of [0, 1].entries()) {
+      ShadowMasks.prototype.lookupState = function (...given) {
+        compared[i] += 1;
+        return lookupState.apply(this, given);
+      };
+      box.position.y += move;
+      for (let frames = 0; frames < 5; ++frames) shadows.render(scene, camera);
+    }
+    ShadowMasks.prototype.lookupState = lookupState;
     const gl = renderer.getContext(), clip = gl.getExtension('EXT_clip_control');
     const asked = new Set();
     const { getParameter } = gl;
@@ -76,11 +87,12 @@ test('meshes and lookups come without questions to the GL that wait for pending 
     delete gl.getParameter;
     const waits = { ...Object.fromEntries(['BLEND_SRC_RGB', 'STENCIL_FUNC', 'CULL_FACE_MODE', 'DEPTH_FUNC', 'SCISSOR_BOX'].map((name) => [name, gl[name]])),
       CLIP_ORIGIN_EXT: clip?.CLIP_ORIGIN_EXT, CLIP_DEPTH_MODE_EXT: clip?.CLIP_DEPTH_MODE_EXT };
-    return { lookedUp, asked: asked.size, waiting: Object.keys(waits).filter((name) => asked.has(waits[name])) };
+    return { lookedUp, compared, asked: asked.size, waiting: Object.keys(waits).filter((name) => asked.has(waits[name])) };
   });
   assert.equal(told.lookedUp, 1);
   assert.ok(told.asked > 5, `${told.asked} names`);
   assert.deepEqual(told.waiting, []);
+  assert.ok(told.compared[0] === 0 && told.compared[1] > 0, `casters are compared with a map's only if they change: ${told.compared}`);
   await shared.check(page, [/GPU stall due to ReadPixels/]);
 });
 

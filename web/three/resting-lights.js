@@ -116,7 +116,10 @@ export class RestingLights {
     for (const which of ['current', 'next']) {
       const lookup = entry[which];
       if (!lookup) continue;
-      lookup.state = this.#masks.lookupState(lookup.id, numbers, Math.max(longRestMs, entry.restMs));
+      // While nothing changes, thousands of casters needn't be compared.
+      const isKnown = lookup.comparedAt === this.#casterState && lookup.state.holds && lookup.state.movers === 0 && !entry.isSoft;
+      if (!isKnown) lookup.state = this.#masks.lookupState(lookup.id, numbers, Math.max(longRestMs, entry.restMs));
+      lookup.comparedAt = this.#casterState;
       if (lookup.state.holds && !(lookup.since < this.cutoutsMoved)) continue;
       // Casters that rest for less than this are likely to start again.
       if (lookup.map) entry.restMs = Math.min(Math.max(longRestMs, 2 * entry.restMs), longestRestMs);
