@@ -16,6 +16,8 @@ namespace {
                 sentence + (reason.empty() ? " and gives no reason." : ": " + reason + "."));
 }
 
+/// Begins to compile a shader. Whether it does is only asked if the program can't be linked: each
+/// question waits until the GL is done, so that it can't compile both stages at once.
 ShaderObject compile(GLenum stage, const char* source, const std::vector<std::string>& defines) {
     std::string text = "#version 100\n";
     for (const std::string& define : defines)
@@ -25,14 +27,17 @@ ShaderObject compile(GLenum stage, const char* source, const std::vector<std::st
     const char* pointer = text.c_str();
     glShaderSource(shader.name(), 1, &pointer, nullptr);
     glCompileShader(shader.name());
+    return shader;
+}
+
+/// Throws if a shader wasn't compiled; `stage`: its name.
+void requireCompiled(const ShaderObject& shader, const std::string& stage) {
     GLint compiled = GL_FALSE;
     glGetShaderiv(shader.name(), GL_COMPILE_STATUS, &compiled);
-    if (compiled == GL_TRUE) return shader;
+    if (compiled == GL_TRUE) return;
     char log[4096] = "";
     glGetShaderInfoLog(shader.name(), sizeof log, nullptr, log);
-    refuse(std::string("This GL can't compile a ") +
-               (stage == GL_VERTEX_SHADER ? "vertex" : "fragment") + " shader",
-           log);
+    refuse("This GL can't compile a " + stage + " shader", log);
 }
 
 } // namespace
@@ -51,6 +56,8 @@ Program::Program(const char* vertexSource, const char* fragmentSource,
     GLint linked = GL_FALSE;
     glGetProgramiv(object_.name(), GL_LINK_STATUS, &linked);
     if (linked != GL_TRUE) {
+        requireCompiled(vertex, "vertex");
+        requireCompiled(fragment, "fragment");
         char log[4096] = "";
         glGetProgramInfoLog(object_.name(), sizeof log, nullptr, log);
         refuse("This GL can't link a program", log);

@@ -245,7 +245,7 @@ struct TexturedPane {
                    .wrapT = MaskTexels::Wrap::clamp};
     }
 
-    /// What its texture lets through at texture coordinates.
+    /// Share of red, green and blue that its texture lets through at texture coordinates.
     glm::dvec3 at(const glm::dvec2& uv) const {
         const auto texel = [&](double x, double y) {
             const double rest = x - 6.0 * std::floor(x / 6.0);

@@ -9,9 +9,14 @@ const idle = 10_000;
 
 const mostBytesAsked = 64 * 2 ** 20;
 
+/** Bytes of a step's first piece, and of the smallest and the largest one; and milliseconds that a piece may take. */
+const firstPiece = 2 ** 20, smallestPiece = 2 ** 16, largestPiece = 2 ** 22, pieceMilliseconds = 8;
+
 export class LightLookups {
   #module;
   #texels = new Map(); // texels left to upload, by id: {texels, next}
+  #piece = firstPiece;
+  #sync = null; // after the last step's piece
   #engine; // {gl, program, masks, inContext, withLight, require, textureOf}
   #calls = new WorkerCalls(() => new Worker(new URL('./lookup-worker.js', import.meta.url), { type: 'module' }),
     'builds the maps of lights', idle);
@@ -65,6 +70,24 @@ export class LightLookups {
     return true;
   }
 
+  /** Uploads one piece, unless the GPU is still busy with the one before. */
+  uploadStep(id) {
+    const { gl } = this.#engine;
+    if (this.#sync && gl.getSyncParameter(this.#sync, gl.SYNC_STATUS) !== gl.SIGNALED) return false;
+    const since = performance.now(), whole = this.upload(id, this.#piece), took = performance.now() - since;
+    const share = Math.min(Math.max(pieceMilliseconds / took, 0.25), 2);
+    this.#piece = Math.min(Math.max(this.#piece * share, smallestPiece), largestPiece);
+    this.#endSync();
+    this.#sync = (!whole && gl.fenceSync?.(gl.SYNC_GPU_COMMANDS_COMPLETE, 0)) || null;
+    gl.flush();
+    return whole;
+  }
+
+  #endSync() {
+    if (this.#sync) this.#engine.gl.deleteSync(this.#sync);
+    this.#sync = null;
+  }
+
   of(id) {
     const { masks, textureOf } = this.#engine;
     const why = masks.lookupWhy(id);
@@ -89,9 +112,11 @@ export class LightLookups {
   /** Called when the context is lost with everything in it. */
   forget() {
     this.#texels.clear();
+    this.#sync = null;
   }
 
   dispose() {
+    this.#endSync();
     this.#calls.dispose();
   }
 }

@@ -338,6 +338,11 @@ export class ShadowMasks {
    * uploaded.
    */
   uploadLookup(lookup: number, mostBytes?: number): boolean;
+  /**
+   * Uploads a piece that takes some milliseconds, by the time of the piece before. In WebGL 2 it uploads nothing
+   * while the GPU is still busy with that. Returns whether all is uploaded; call it once a frame until then.
+   */
+  uploadLookupStep(lookup: number): boolean;
   lookup(lookup: number): LightLookup;
   /** `restMs`: for `rested`. Default: longRestMs. */
   lookupState(lookup: number, light: MaskLight, restMs?: number): LookupState;

@@ -232,6 +232,11 @@ export class ShadowMasks {
     return this.#lookups.upload(id, mostBytes);
   }
 
+  /** Uploads a piece of it, as the declaration says. Returns whether all is uploaded. */
+  uploadLookupStep(id) {
+    return this.#lookups.uploadStep(id);
+  }
+
   /** The uniforms of its lookup, by the names of lookupSource(), or why there is none. */
   lookup(id) {
     return this.#lookups.of(id);

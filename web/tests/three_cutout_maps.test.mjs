@@ -10,7 +10,6 @@ const shared = useBrowser({ angle: 'gl-egl' });
 
 const inMotion = async ({ three, ExactShadows, redOf, comparedWithRays }, { floorOf, treeOf, leafAtlas, white, wholly, comparedTints }, { kind, position, glass }) => {
   const { renderer, scene, light, camera } = floorOf(window.page, { kind, position, width: 150, height: 100 });
-  if ('useLegacyLights' in renderer) renderer.useLegacyLights = false;
   const box = scene.children[1];
   const panes = [[1.6, 1.2, 0.2, 1.2], [1, 1.4, -0.3, 0.8]].map(([width, height, x, y]) => {
     const pane = new three.Mesh(new three.PlaneGeometry(width, height), white({ transparent: true, opacity: 0.5 }));

@@ -15,11 +15,11 @@ const assertRight = (name, { surfaces, dark, wrong, beyond }) => {
   assert.ok(beyond <= 0.0002 * surfaces && wrong <= 0.04 * surfaces, `${name}: ${wrong} of ${surfaces} pixels are wrong, ${beyond} of them beyond outlines`);
 };
 
-const leaves = async ({ ExactShadows, rested, redOf, comparedWithRays }, { floorOf, treeOf, leafAtlas, white }, light) => {
+const leaves = async ({ ExactShadows, redOf, comparedWithRays }, { floorOf, treeOf, leafAtlas, white, wholly }, light) => {
   const { renderer, scene, light: source, camera } = floorOf(window.page, light);
   scene.add(treeOf(white({ map: leafAtlas(), alphaTest: 0.4 })));
   const shadows = new ExactShadows(renderer).add(scene);
-  const lookedUp = await rested(shadows, scene, camera);
+  const lookedUp = await wholly(window.page, shadows, scene, camera);
   return { lookedUp, ...comparedWithRays(redOf(renderer), renderer, scene, camera, source), error: renderer.getContext().getError() };
 };
 
@@ -35,8 +35,8 @@ for (const release of releasesOf('three-0.152', 'three'))
       });
 
 test('alphaMap with its own transform, coordinates, wrap and filter; and its changes', async () => {
-  const { told } = await inPage(async ({ three, ExactShadows, rested, redOf, comparedWithRays }, { floorOf, blobs, white, wholly }) => {
-    const { renderer, scene, light, camera } = floorOf(window.page);
+  const { told } = await inPage(async ({ three }, { floorOf, blobs, white, judging }) => {
+    const world = floorOf(window.page), { renderer } = world;
     const alphaMap = blobs(11, 7, { green: true });
     Object.assign(alphaMap, { wrapS: three.MirroredRepeatWrapping, wrapT: three.RepeatWrapping, rotation: 0.4, channel: 1 });
     alphaMap.repeat.set(1.3, 0.8);
@@ -44,16 +44,7 @@ test('alphaMap with its own transform, coordinates, wrap and filter; and its cha
     const sheet = new three.Mesh(new three.PlaneGeometry(3, 3), white({ alphaMap, alphaTest: 0.45, opacity: 0.9 }));
     sheet.geometry.setAttribute('uv1', sheet.geometry.attributes.uv.clone());
     sheet.geometry.attributes.uv.array.fill(0);
-    sheet.position.set(0.2, 1.2, 0);
-    sheet.rotation.set(-1.3, 0.2, 0.3);
-    sheet.castShadow = sheet.receiveShadow = true;
-    scene.add(sheet);
-    const shadows = new ExactShadows(renderer).add(scene);
-    const told = {};
-    const judge = async (name) => {
-      if (await wholly(window.page, shadows, scene, camera) !== 1) throw new Error(`${name}: no light is looked up`);
-      told[name] = comparedWithRays(redOf(renderer), renderer, scene, camera, light);
-    };
+    const { shadows, told, judge } = judging(window.page, world, sheet);
     await judge('alphaMap');
     alphaMap.offset.x += 0.37;
     await judge('moved');
@@ -81,21 +72,12 @@ test('alphaMap with its own transform, coordinates, wrap and filter; and its cha
 });
 
 test('alphaMap and map with their own sizes, transforms and coordinates, looked up and in masks', async () => {
-  const { told } = await inPage(async ({ three, ExactShadows, drawn, redOf, comparedWithRays }, { floorOf, blobs, white, wholly }) => {
-    const { renderer, scene, light, camera } = floorOf(window.page);
+  const { told } = await inPage(async ({ three, drawn, redOf, comparedWithRays }, { floorOf, blobs, white, judging }) => {
+    const world = floorOf(window.page), { renderer, scene, light, camera } = world;
     const map = blobs(9, 6), alphaMap = blobs(5, 8, { green: true, seed: 5 });
     for (const texture of [map, alphaMap]) Object.assign(texture, { wrapS: three.RepeatWrapping, wrapT: three.MirroredRepeatWrapping });
     const sheet = new three.Mesh(new three.PlaneGeometry(3, 3), white({ map, alphaMap, alphaTest: 0.2, opacity: 0.95 }));
-    sheet.position.set(0.2, 1.2, 0);
-    sheet.rotation.set(-1.3, 0.2, 0.3);
-    sheet.castShadow = sheet.receiveShadow = true;
-    scene.add(sheet);
-    const shadows = new ExactShadows(renderer).add(scene);
-    const told = {};
-    const judge = async (name) => {
-      if (await wholly(window.page, shadows, scene, camera) !== 1) throw new Error(`${name}: no light is looked up`);
-      told[name] = comparedWithRays(redOf(renderer), renderer, scene, camera, light);
-    };
+    const { shadows, told, judge } = judging(window.page, world, sheet);
     await judge('one transform');
     light.position.x += 0.01;
     await drawn(shadows, scene, camera);

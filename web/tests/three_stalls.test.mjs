@@ -60,10 +60,21 @@ test('meshes and lookups come without questions to the GL that wait for pending 
   const told = await page.evaluate(async () => {
     const { yard, ExactShadows, cameraOf, rested } = window.page;
     const { building } = await import('/tests/building.js');
-    const { renderer, scene } = yard({ width: 80, height: 60 });
+    const { renderer, scene, box } = yard({ width: 80, height: 60 });
     const camera = cameraOf({ from: [9, 8, 10], to: [0, 0.6, 0], fov: 50 }, 4 / 3);
     const shadows = new ExactShadows(renderer).add(scene);
     await rested(shadows, scene, camera);
+    const { ShadowMasks } = await import('/masks/shadow-masks.js'), { lookupState } = ShadowMasks.prototype;
+    const compared = [0, 0];
+    for (const [i, move] of [0, 1].entries()) {
+      ShadowMasks.prototype.lookupState = function (...given) {
+        compared[i] += 1;
+        return lookupState.apply(this, given);
+      };
+      box.position.y += move;
+      for (let frames = 0; frames < 5; ++frames) shadows.render(scene, camera);
+    }
+    ShadowMasks.prototype.lookupState = lookupState;
     const gl = renderer.getContext(), clip = gl.getExtension('EXT_clip_control');
     const asked = new Set();
     const { getParameter } = gl;
@@ -76,10 +87,44 @@ test('meshes and lookups come without questions to the GL that wait for pending 
     delete gl.getParameter;
     const waits = { ...Object.fromEntries(['BLEND_SRC_RGB', 'STENCIL_FUNC', 'CULL_FACE_MODE', 'DEPTH_FUNC', 'SCISSOR_BOX'].map((name) => [name, gl[name]])),
       CLIP_ORIGIN_EXT: clip?.CLIP_ORIGIN_EXT, CLIP_DEPTH_MODE_EXT: clip?.CLIP_DEPTH_MODE_EXT };
-    return { lookedUp, asked: asked.size, waiting: Object.keys(waits).filter((name) => asked.has(waits[name])) };
+    return { lookedUp, compared, asked: asked.size, waiting: Object.keys(waits).filter((name) => asked.has(waits[name])) };
   });
   assert.equal(told.lookedUp, 1);
   assert.ok(told.asked > 5, `${told.asked} names`);
   assert.deepEqual(told.waiting, []);
+  assert.ok(told.compared[0] === 0 && told.compared[1] > 0, `casters are compared with a map's only if they change: ${told.compared}`);
   await shared.check(page, [/GPU stall due to ReadPixels/]);
+});
+
+test('a map is uploaded in pieces of some milliseconds, each once the GPU has taken the one before', async () => {
+  const page = await openThree(shared);
+  const told = await page.evaluate(async () => {
+    const { three } = window.page;
+    const { ShadowMasks } = await import('/masks/shadow-masks.js');
+    const gl = document.createElement('canvas').getContext('webgl2');
+    const masks = await ShadowMasks.create(gl);
+    const { index, attributes } = new three.TorusKnotGeometry(1, 0.4, 300, 40);
+    masks.add(await masks.prepare({ positions: attributes.position.array, indices: index.array }), new three.Matrix4().elements);
+    const id = await masks.buildLookup({ direction: [0.2, -1, 0.1] }, { restMs: 0 });
+    const pieces = [];
+    gl.texSubImage2D = (...given) => {
+      pieces.push(16 * given[4] * given[5]);
+      for (const since = performance.now(); performance.now() - since < 30;); // a slow one
+      WebGL2RenderingContext.prototype.texSubImage2D.apply(gl, given);
+    };
+    let busy = true;
+    gl.getSyncParameter = () => (busy ? gl.UNSIGNALED : gl.SIGNALED);
+    const done = [masks.uploadLookupStep(id), masks.uploadLookupStep(id), masks.uploadLookupStep(id)];
+    const whileBusy = pieces.length;
+    busy = false;
+    let steps = 0;
+    do ++steps; while (!masks.uploadLookupStep(id));
+    const { uploaded, bytes } = masks.lookup(id);
+    return { pieces, done, whileBusy, steps, uploaded, bytes, error: gl.getError() };
+  });
+  console.log(told);
+  assert.deepEqual([told.done, told.whileBusy, told.uploaded, told.error], [[false, false, false], 1, true, 0]);
+  assert.ok(told.pieces[0] <= 2 ** 20 && told.pieces[1] <= told.pieces[0] / 2 && told.pieces[2] <= told.pieces[1] / 2, 'slow pieces get smaller');
+  assert.equal(told.pieces.length, told.steps + 1);
+  await shared.check(page);
 });

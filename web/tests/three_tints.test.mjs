@@ -132,7 +132,7 @@ test('panes whose textures are of colour, opacity and transmission', async () =>
     blended.geometry.setAttribute('uv1', blended.geometry.attributes.uv.clone());
     for (const uv of [blended.geometry.attributes.uv1.array]) for (let i = 0; i < uv.length; ++i) uv[i] = 1 - 0.8 * uv[i];
     blended.material.alphaMap.channel = 1;
-    const glass = added(new three.MeshPhysicalMaterial({ color, map: coloured(4, 4), transmissionMap: coloured(6, 5), transmission: 0.9, side: three.DoubleSide }), [0.8, 0.9, 0.3], [-1.6, 0.2, 0.1]);
+    const glass = added(new three.MeshPhysicalMaterial({ color, map: coloured(4, 4), transmissionMap: coloured(6, 5), transmission: 0.9 }), [0.8, 0.9, 0.3], [-1.6, 0.2, 0.1]);
     for (const { map } of [blended.material, glass.material]) Object.assign(map, { wrapS: three.RepeatWrapping, rotation: 0.3 });
     const shadows = new ExactShadows(renderer, { transparentCast: 'tint' }).add(scene);
     const tintOf = ({ material }, hit) => {
@@ -217,7 +217,8 @@ test('glass with transmission is not in masks, and receives shadow by lookup', a
   });
   console.log(told);
   assert.equal(told.masked, 0);
-  assert.ok(told.changed > 100, 'the pane is there');
+  // 0.152 does not filter what is behind it.
+  if (inPlaceOf('three') !== 'three-0.152') assert.ok(told.changed > 100, 'the pane is there');
   assert.equal(told.unlike, 0, 'pixels that show other shadows, two pixels beyond edges');
   assert.equal(told.lookedUp, 1);
   assert.ok(told.lit > 150 && told.shaded < 60, `${told.lit} and ${told.shaded}`);

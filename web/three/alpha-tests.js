@@ -97,8 +97,9 @@ export class AlphaTests {
     if (present.length === 0 || !present.every((texture) => this.#uploaded(texture))) return plain;
     const { opacity, transmission = 0 } = material;
     const product = this.#products.of(textures, geometry, { opacity: blends(material) ? opacity : -1, transmission });
-    const { number, why } = product ? this.#reading.of(product.texture, product.webGlTexture, 'colour') : { number: null, why: 'unlike' };
-    if (number === null) return why ? { ...plain, why: tintObstacleOf(geometry, material, textures) } : plain;
-    return { ...plain, tint: colourOf(material), texels: number, texcoordTransform: product.texcoordTransform };
+    const read = product && this.#reading.of(product.texture, product.webGlTexture, 'colour');
+    if (!product || read.why) return { ...plain, why: tintObstacleOf(geometry, material, textures) };
+    if (read.number === null) return plain;
+    return { ...plain, tint: colourOf(material), texels: read.number, texcoordTransform: product.texcoordTransform };
   }
 }

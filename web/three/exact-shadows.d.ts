@@ -111,7 +111,8 @@ export interface CellSunHours extends SunHours {
  * without that caster is ready.
  *
  * An alpha-tested surface (alphaTest, with the alpha of map, the green of alphaMap, or their product)
- * receives shadow where it is solid, and surfaces seen through its holes have their own. Where a light is looked up it also casts what its alpha leaves; see alphaTestedCast.
+ * receives shadow where it is solid, and surfaces seen through its holes have their own. Where a light is
+ * looked up it also casts what its alpha leaves; see alphaTestedCast.
  *
  * See-through surfaces (transparent, alphaHash, transmission) receive only the shadows of lights that
  * are looked up. They cast as transparentCast says, or as alphaTestedCast if they are alpha-tested.

@@ -9,9 +9,6 @@ const restMs = 500;
 /** The most that moved casters must rest to be in a light's map, after they kept ending it. */
 const longestRestMs = 80_000;
 
-/** Bytes uploaded in a step: some milliseconds. */
-const bytesAStep = 2 * 2 ** 20;
-
 /** Everything that the shadows of a light with a map depend on. `samples`: of one with a radius. */
 const keyOf = ({ kind, position, direction, radius }, samples) => `${radius > 0 ? `${radius} ${samples}` : 0} ${kind === 'directional' ? direction : position}`;
 
@@ -119,7 +116,10 @@ export class RestingLights {
     for (const which of ['current', 'next']) {
       const lookup = entry[which];
       if (!lookup) continue;
-      lookup.state = this.#masks.lookupState(lookup.id, numbers, Math.max(longRestMs, entry.restMs));
+      // While nothing changes, thousands of casters needn't be compared.
+      const isKnown = lookup.comparedAt === this.#casterState && lookup.state.holds && lookup.state.movers === 0 && !entry.isSoft;
+      if (!isKnown) lookup.state = this.#masks.lookupState(lookup.id, numbers, Math.max(longRestMs, entry.restMs));
+      lookup.comparedAt = this.#casterState;
       if (lookup.state.holds && !(lookup.since < this.cutoutsMoved)) continue;
       // Casters that rest for less than this are likely to start again.
       if (lookup.map) entry.restMs = Math.min(Math.max(longRestMs, 2 * entry.restMs), longestRestMs);
@@ -174,7 +174,7 @@ export class RestingLights {
     const entry = [...this.#entries.values()].find(({ next }) => next?.state);
     if (!entry) return;
     const { next, current } = entry;
-    if (this.#masks.uploadLookup(next.id, bytesAStep)) {
+    if (this.#masks.uploadLookupStep(next.id)) {
       const { why, ...map } = this.#masks.lookup(next.id);
       if (why) next.why = why;
       else next.map = { ...map, slot: current?.map?.slot ?? this.#freeSlot() };

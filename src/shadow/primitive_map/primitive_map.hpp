@@ -56,8 +56,8 @@ struct PrimitiveMap {
     /// fourth component naming the record of its texture: (place, size) in the atlas, (cutoff, wrap
     /// along u, along v, linear or not). The texels of a texture of its own follow its record, and
     /// the place is (their first index, 0). A tinted triangle has (1 or 0 for each edge: rays on it
-    /// are its own; the record of its tint), and CutoutPlanes' u and v. A tint is (red, green, blue,
-    /// -1), then as a texture; its texels are those of red, of green and of blue.
+    /// are its own; the record of its tint), and CutoutPlanes' u and v. A tint is (red, green,
+    /// blue, -1), then as a texture; its texels are those of red, of green and of blue.
     std::vector<glm::vec4> records;
     bool cutouts = false; ///< some triangles are alpha-tested, or tinted
     /// For a light with an extent (docs/method.md, C42): records are three texels per triangle, its

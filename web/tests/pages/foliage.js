@@ -13,7 +13,6 @@ export function white(settings) {
 /** A floor, a box on it, a light and a camera that looks down. */
 export function floorOf({ rendererOf, lampOf, cameraOf }, { kind = 'DirectionalLight', position = [0.4, 1, 0.3], width = 200, height = 130 } = {}) {
   const renderer = rendererOf({ width, height });
-  if ('useLegacyLights' in renderer) renderer.useLegacyLights = false; // white is brighter than white with them
   const scene = new three.Scene();
   const made = (geometry, at) => {
     const mesh = new three.Mesh(geometry, white());
@@ -100,4 +99,21 @@ export async function wholly({ rested }, shadows, scene, camera, lights = 1) {
     if (settled && holdAll()) break;
   }
   return shadows.cost.lookedUp;
+}
+
+/**
+ * Hangs a sheet above the floor: {shadows, told, judge}, where judge(name) draws until the light's map holds all
+ * casters, and puts what comparedWithRays() returns into `told`.
+ */
+export function judging(page, { renderer, scene, camera, light }, sheet) {
+  sheet.position.set(0.2, 1.2, 0);
+  sheet.rotation.set(-1.3, 0.2, 0.3);
+  sheet.castShadow = sheet.receiveShadow = true;
+  scene.add(sheet);
+  const shadows = new page.ExactShadows(renderer).add(scene), told = {};
+  const judge = async (name) => {
+    if (await wholly(page, shadows, scene, camera) !== 1) throw new Error(`${name}: no light is looked up`);
+    told[name] = page.comparedWithRays(page.redOf(renderer), renderer, scene, camera, light);
+  };
+  return { shadows, told, judge };
 }

@@ -16,6 +16,7 @@ function rendererOf({ width = 480, height = 270, antialias = false, pixelRatio =
   renderer.setSize(width, height);
   renderer.setClearColor(clear, 1);
   renderer.shadowMap.enabled = false;
+  if ('useLegacyLights' in renderer) renderer.useLegacyLights = false; // lights as bright as in later releases
   document.body.append(renderer.domElement);
   return renderer;
 }
