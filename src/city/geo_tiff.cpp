@@ -94,6 +94,7 @@ class GeoTiffWriter::Writing {
     void finish() {
         if (!rows_.empty()) writeTiles();
         require(TIFFFlush(tiff_.get()) != 0);
+        tiff_.reset();
     }
 
   private:

@@ -170,16 +170,26 @@ JobResult runJob(const ReadPlan& read, std::size_t number,
     for (const hours::Position& position : positions)
         directions.push_back(inFrame(position.direction));
     const std::vector<std::uint8_t> months = monthsOf(positions, plan.schedule.offset);
-    const Surroundings all = surroundingsOf(plan, job, SunFan(positions), progress);
+    Surroundings all = surroundingsOf(plan, job, SunFan(positions), progress);
     const std::vector<std::uint32_t> tops = topSurfaces(all.triangles, job.cells, plan.grid);
     JobResult result = unlitResult(read, number, all, tops, positions.size());
     const std::vector<std::uint32_t> cells = cellsWithSurface(job.cells, tops);
     if (directions.empty() || cells.empty()) return result;
 
+    const auto middle = [&](std::uint32_t cell) {
+        return glm::dvec2(middleOf(job.cells.left + cell % job.cells.columns(), plan.grid),
+                          middleOf(job.cells.bottom + cell / job.cells.columns(), plan.grid));
+    };
     const glm::dvec3 origin(middleOf(job.cells.left + job.cells.columns() / 2, plan.grid),
                             middleOf(job.cells.bottom + job.cells.rows() / 2, plan.grid), 0.0);
+    std::vector<double> heights; // of `cells`
+    heights.reserve(cells.size());
+    for (const std::uint32_t cell : cells)
+        heights.push_back(
+            onLattice(heightAt(all.triangles[tops[cell]], middle(cell).x, middle(cell).y)));
     progress(readEnd, "building the tree of rays");
     RayScene rayScene(all.triangles, tops, origin);
+    std::vector<CityTriangle>().swap(all.triangles); // frees it before the tree takes memory
     const rays::LitRays litRays(rayScene.scene, std::move(rayScene.triangles));
     const std::size_t atOnce =
         std::clamp<std::size_t>(mostBits / directions.size(), 64, mostAtOnce);
@@ -190,13 +200,9 @@ JobResult runJob(const ReadPlan& read, std::size_t number,
                  "tracing rays");
         std::vector<rays::SurfacePoint> points;
         for (std::size_t i = first; i < end; ++i) {
-            const auto cell = static_cast<std::int64_t>(cells[i]);
-            const double x = middleOf(job.cells.left + cell % job.cells.columns(), plan.grid),
-                         y = middleOf(job.cells.bottom + cell / job.cells.columns(), plan.grid);
-            const std::uint32_t top = tops[cells[i]];
             // Any point of the vertical line would do; near the surface doubles decide most.
-            const glm::dvec3 above(x, y, onLattice(heightAt(all.triangles[top], x, y)));
-            points.push_back({above - origin, glm::dvec3(0.0, 0.0, -1.0), top});
+            const glm::dvec3 above(middle(cells[i]), heights[i]);
+            points.push_back({above - origin, glm::dvec3(0.0, 0.0, -1.0), tops[cells[i]]});
         }
         const rays::LitBits bits = litRays.lit(points, directions, threads);
         for (std::size_t i = first; i < end; ++i)

@@ -7,9 +7,10 @@ namespace {
 
 /// The program, its libraries and a block of rays.
 constexpr std::uint64_t base = std::uint64_t{128} << 20;
-/// A cell while it is counted, and in a result that is made or read: as numbers, as bytes of a
-/// file before they are deflated, and after that.
-constexpr std::uint64_t bytesOfCounting = 16, copiesOfResult = 3;
+/// A cell while surfaces are found and its rays are traced.
+constexpr std::uint64_t bytesOfCounting = 16;
+/// A cell in a result: as numbers, as bytes of a file, and deflated twice, no smaller at worst.
+constexpr std::uint64_t copiesOfResult = 4;
 /// A triangle that casts: in the tile, in the scene, as a ray's candidate, in the tree.
 constexpr std::uint64_t bytesOfCaster = 640;
 /// A triangle of the source that is being read.
