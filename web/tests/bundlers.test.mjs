@@ -37,7 +37,10 @@ const lines = (entry) => blocksOf(`\`${entry}\``, 'js').join('\n');
  * of the test; its body.
  */
 const pages = {
-  three: { script: `import './three-world.js';\n${lines('edgeshade/three')}` },
+  three: {
+    script: `import './three-world.js';\n${lines('edgeshade/three')}
+window.mostHours = () => shadows.sunHours(scene.children[0], { place: [48, 11], date: '2026-03-21' }).then(({ hours }) => Math.max(...hours.array));`,
+  },
   masks: {
     script: `import './masks-world.js';\n${lines('edgeshade/masks')}
 window.shadowAndLight = () => shadowAndLightIn(textures[0]);`,
@@ -81,6 +84,8 @@ async function showsShadow(address) {
     return shadow < 20 && light > 60;
   }, null, { timeout: 60000, polling: 50 }).catch(async () =>
     assert.fail(`${address}: ${await page.evaluate(() => window.shadowAndLight?.())} ${page.reports}`));
+  const hours = await page.evaluate(() => window.mostHours?.() ?? 12);
+  assert.ok(hours > 11 && hours < 13, `${address}: ${hours} hours of sun on the equinox`);
   await shared.check(page);
 }
 
@@ -109,6 +114,8 @@ test('esbuild, by the README\'s command', { skip }, async () => {
   const PATH = `${join(modules, '.bin')}:${process.env.PATH}`;
   for (const name of ['three', 'element']) {
     let own = command.replace('page.js', `${name}.js --log-level=error`).replaceAll('site/', `esbuild-${name}/`);
+    if (name === 'three') // as the README says for sunHours()
+      own = own.replace('$dist/masks/*-worker.js', '$& $dist/three/*-worker.js').replace('$dist/wasm/edgeshade-masks.wasm', '$& $dist/wasm/edgeshade-hours.wasm');
     if (name === 'element') own = own.replace('masks/*-worker', 'element/*-worker').replace('edgeshade-masks', 'edgeshade');
     execFileSync('sh', ['-euc', own], { cwd: folder, env: { ...process.env, PATH } });
     write(`esbuild-${name}`, name, `./js/${name}.js`);
