@@ -225,6 +225,29 @@ for (const backend of ['WebGL', 'WebGPU'])
     assert.ok(moving.dark > 300 && moving.wrong < 0.3 * moving.dark, `${moving.wrong} pixels are wrong of ${moving.dark} in the shadow of what moves`);
   });
 
+test('alpha is read back texel by texel: a map\'s alpha, and the red of an alphaMap, as a WebGPURenderer takes it', async () => {
+  const wrong = await inPage(async (tools) => {
+    const { TexelReading } = await import('/three-webgpu/texel-reading.js');
+    const wrong = {};
+    for (const backend of ['WebGL', 'WebGPU']) {
+      const renderer = await tools.rendererOf(backend);
+      for (const [width, height] of [[11, 7], [64, 48]])
+        for (const [channel, place] of [['alpha', 3], ['green', 0]]) {
+          const data = Uint8Array.from({ length: 4 * width * height }, (_, i) => (i * i * 31 + 7 * i) % 251);
+          const texture = new tools.three.DataTexture(data, width, height);
+          texture.needsUpdate = true;
+          const alpha = await new Promise((resolve) => {
+            new TexelReading(renderer, { addTexels: (texels) => resolve(texels.alpha) }).of(texture, null, channel);
+            setTimeout(() => resolve([]), 10000);
+          });
+          wrong[`${backend} ${width} ${channel}`] = alpha.filter((value, i) => value !== 16 * data[4 * i + place]).length + Math.abs(alpha.length - width * height);
+        }
+    }
+    return wrong;
+  });
+  for (const [name, count] of Object.entries(wrong)) assert.equal(count, 0, name);
+});
+
 test('leaves that move, and those whose alpha is not known, have the shadows of three.js\'s own map', async () => {
   const { told, reports } = await inPage(async (tools) => {
     const { scene, camera } = await tools.sceneOf('leaves');
