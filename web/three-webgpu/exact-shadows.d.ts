@@ -43,6 +43,9 @@ export interface LightShadow {
  * light.shadow. Casters that came or moved lately are drawn into three.js's map, on top of the
  * lookup; a caster in the light's map that starts to move ends it until another map is ready.
  *
+ * Lookups have what a ClippingGroup with clipShadows leaves of its meshes. For worlds far from their origin
+ * set the renderer's highPrecision.
+ *
  * The events are those of edgeshade/three: 'change' says that one more frame would look different, and
  * 'error', an ErrorEvent, reports a mesh that can't take part, or that nothing works here.
  */

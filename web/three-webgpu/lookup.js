@@ -1,7 +1,7 @@
 // Whether a resting light reaches a fragment, by its primitive map, in TSL: as
 // shaders_es2/host/lookup.glsl and primitive_map_lookup.glsl (docs/method.md, C34 to C36).
 
-import { abs, Break, clamp, cross, dFdx, dFdy, dot, float, floor, If, int, length, Loop, max, positionView, positionWorld, screenCoordinate, screenSize, select,
+import { abs, Break, cameraPosition, clamp, cross, dFdx, dFdy, dot, float, floor, If, int, length, Loop, max, positionView, positionWorld, screenCoordinate, screenSize, select,
   uint, vec2, vec3 } from 'three/tsl';
 import { isSolid } from './cutouts.js';
 import { floatSum, isAtLeastZero } from './exact-sign.js';
@@ -165,11 +165,14 @@ function askList(map, header, { ray, depth }, point, directional, casts, { lit, 
 /** A place in map space: {point; across: its triangle, of length 1; rounding: of roundingOf(); towardsEye: of any length}. */
 function findOn(map, { isWorld, position, normal, change }) {
   const [x, y, z, offset] = [0, 1, 2, 3].map((column) => map.mapFrom(isWorld).element(int(column)).xyz.toVar());
-  const point = x.mul(position.x).add(y.mul(position.y)).add(z.mul(position.z)).add(offset).toVar();
+  const along = (vector) => x.mul(vector.x).add(y.mul(vector.y)).add(z.mul(vector.z)); // in map space
+  const point = along(position).add(offset).toVar();
   const terms = abs(x.mul(position.x)).add(abs(y.mul(position.y))).add(abs(z.mul(position.z))).add(abs(offset)).toVar();
+  // cameraPosition is that of a view, where a camera has several.
+  const towardsEye = isWorld ? along(cameraPosition.sub(position).toVar()) : map.eye.xyz.sub(map.eye.w.mul(point));
   const across = cross(y, z).mul(normal.x).add(cross(z, x).mul(normal.y)).add(cross(x, y).mul(normal.z)).toVar();
   across.divAssign(max(length(across), 1e-36));
-  return { point, across, rounding: roundingOf([x, y, z], change, terms), towardsEye: map.eye.xyz.sub(map.eye.w.mul(point)).toVar() };
+  return { point, across, rounding: roundingOf([x, y, z], change, terms), towardsEye: towardsEye.toVar() };
 }
 
 /** Calls act(ray, header) where a point is on a tile: rayOf() it, and headerAt() its place. */
