@@ -1,9 +1,12 @@
 #include "web/map_maker.hpp"
 
+#include "src/scene/cut_loaded.hpp"
 #include "web/map_transfer.hpp"
 #include "web/page_bytes.hpp"
 #include "web/scene_transfer.hpp"
 #include "web/sentence.hpp"
+
+#include <set>
 
 namespace edgeshade::web {
 
@@ -21,8 +24,21 @@ std::string MapMaker::begin(std::uintptr_t address, std::size_t size) {
         const PageBytes bytes(address, size);
         bytes_ = {};
         failed_ = false;
-        job_ = std::make_unique<PrimitiveMapJob>(loaded_, taskFromTransfer(bytes.view()), edges_);
+        const PrimitiveMapTask task = taskFromTransfer(bytes.view());
+        job_.reset(); // it refers to the scene before
+        cutBy(task.section.value_or(Section()));
+        job_ = std::make_unique<PrimitiveMapJob>(loaded_, task, edges_);
     });
+}
+
+/// Cuts the scene, and keeps the edges of casters that stay.
+void MapMaker::cutBy(const Section& section) {
+    const auto& cutFrom = loaded_.scene.cutFrom;
+    if (section == (cutFrom ? cutFrom->section : Section())) return;
+    cutScene(loaded_, section);
+    const std::set<std::shared_ptr<const PlanePairShadow>> casters(loaded_.planePairs.begin(),
+                                                                   loaded_.planePairs.end());
+    std::erase_if(edges_, [&](const auto& of) { return !casters.contains(of.first); });
 }
 
 bool MapMaker::advance(double milliseconds) {

@@ -28,6 +28,8 @@ class MapMaker {
     emscripten::val result();
 
   private:
+    void cutBy(const Section& section);
+
     LoadedScene loaded_;
     KeptEdges edges_;
     std::unique_ptr<PrimitiveMapJob> job_;

@@ -11,10 +11,16 @@ void transfer(Archive& archive, Maybe<CutoutTexture> auto& texture) {
 }
 
 template <class Archive>
+void transfer(Archive& archive, Maybe<Section> auto& section) {
+    archive(section.planes, section.shadows, section.fill);
+}
+
+template <class Archive>
 void transfer(Archive& archive, Maybe<PrimitiveMapTask> auto& task) {
     auto& settings = task.settings;
     archive(task.light, task.castersReceive, settings.size, settings.mostBytes, settings.splitAbove,
-            settings.mostSplits, settings.othersReceive, settings.receivers, settings.cutouts);
+            settings.mostSplits, settings.othersReceive, settings.receivers, settings.cutouts,
+            task.section);
 }
 
 template <class Archive>

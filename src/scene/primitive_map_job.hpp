@@ -25,6 +25,8 @@ struct PrimitiveMapTask {
     bool castersReceive = true;
     PrimitiveMapSettings settings; ///< `mostBytes`: for everything that is built; `cutouts`: empty
                                    ///< if MASK surfaces cast nothing
+    /// The section that cuts the scene. A worker that knows the whole scene cuts it first.
+    std::optional<Section> section = {};
 };
 
 /// Result of a task.

@@ -151,13 +151,16 @@ void PrimitiveMaps::take(const BuiltPrimitiveMap& built, std::size_t batches,
 PrimitiveMapTask PrimitiveMaps::taskOf(const LoadedScene& loaded, const Light& light,
                                        PrimitiveMapSettings settings,
                                        const gl::Capabilities& capabilities) {
+    std::optional<Section> section;
+    if (loaded.scene.cutFrom) section = loaded.scene.cutFrom->section;
     settings.othersReceive = othersReceive(loaded);
     if (light.extent) {
         settings.size = sizeForExtents(settings.size);
         settings.mostSplits = 0;
         settings.receivers = receiversOf(loaded);
     }
-    if (!loaded.cutoutsCast) return {light, castersReceive_, std::move(settings)};
+    if (!loaded.cutoutsCast)
+        return {light, castersReceive_, std::move(settings), std::move(section)};
     if (!cutouts_) {
         const CutoutAtlas atlas = cutoutAtlasOf(loaded, capabilities.largestTexture);
         textures_ = atlas.textures;
@@ -165,7 +168,7 @@ PrimitiveMapTask PrimitiveMaps::taskOf(const LoadedScene& loaded, const Light& l
             uploadAlpha(atlas.alpha, atlas.width, atlas.height));
     }
     settings.cutouts = textures_;
-    return {light, castersReceive_, std::move(settings)};
+    return {light, castersReceive_, std::move(settings), std::move(section)};
 }
 
 std::optional<PrimitiveMapTask> PrimitiveMaps::nextTask(const LoadedScene& loaded,

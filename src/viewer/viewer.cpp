@@ -32,6 +32,7 @@
 #include "src/scene/shadow_facts.hpp"
 #include "src/settings/build_parts.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <GLES2/gl2.h>
 
@@ -186,10 +187,28 @@ Viewer::Parts::makeGpu(const gl::Capabilities& capabilities) const {
     return made;
 }
 
+namespace {
+
+/// Whether a page's worker can build maps of a scene that it knows as it was loaded, without the
+/// ground. It cuts the scene as the page does. It doesn't know poses of batches that deform, which
+/// are static once they are cut, nor the page's numbers of MASK materials that are cut away and
+/// cast: they come after the ground's.
+bool isKnownToWorker(const LoadedScene& scene) {
+    if (!scene.uncut) return true;
+    const Scene& before = scene.uncut->scene;
+    const bool deforms = std::any_of(before.batches.begin(), before.batches.end(),
+                                     [](const Batch& batch) { return batch.deforms(); });
+    const bool masks =
+        std::any_of(before.materials.begin(), before.materials.end(),
+                    [](const Material& of) { return of.alphaMode == AlphaMode::mask; });
+    return !deforms && !(masks && scene.scene.cutFrom->section.shadows == SectionShadows::whole);
+}
+
+} // namespace
+
 GpuScene Viewer::Parts::uploaded(const LoadedScene& scene, const Gpu& on) const {
     GpuScene made = uploadScene(scene, on.recordsOf(state.left), on.capabilities);
-    // A page's worker knows the scene as it was loaded, so it can't build maps of a cut one.
-    if (!scene.uncut) made.primitiveMaps.buildWith(settings.mapWorker);
+    if (isKnownToWorker(scene)) made.primitiveMaps.buildWith(settings.mapWorker);
     return made;
 }
 
@@ -224,7 +243,7 @@ std::optional<GpuScene> Viewer::Parts::uploadedCut(const LoadedScene& cut, const
     GpuScene made = uploadScene(cut, gpu->recordsOf(of.left), gpu->capabilities, &*gpu->scene);
     for (const VolumeRecords& records : recordsFor(of, *gpu))
         addVolumes(made, cut, records);
-    if (!cut.uncut) made.primitiveMaps.buildWith(settings.mapWorker);
+    if (isKnownToWorker(cut)) made.primitiveMaps.buildWith(settings.mapWorker);
     return made;
 }
 

@@ -1,4 +1,5 @@
 // The lights of a viewer that use primitive maps, and when.
+#include "src/scene/cut_loaded.hpp"
 #include "src/viewer/light_rest.hpp"
 #include "src/viewer/viewer.hpp"
 #include "tests/support/headless.hpp"
@@ -54,7 +55,8 @@ class ViewerMaps : public testing::Test {
     double now = 1.0;
 };
 
-/// Builds maps of the scene as read, without a ground, when the test allows it.
+/// Builds maps of the scene as read, without a ground, in a task's section, when the test allows
+/// it.
 class TestWorker : public PrimitiveMapWorker {
   public:
     explicit TestWorker(LoadedScene scene) : scene_(std::move(scene)) {}
@@ -70,6 +72,7 @@ class TestWorker : public PrimitiveMapWorker {
     }
     std::optional<BuiltPrimitiveMap> take() override {
         if (!mayAnswer || !task_) return std::nullopt;
+        cutScene(scene_, task_->section.value_or(Section()));
         PrimitiveMapJob job(scene_, *task_, {});
         job.finish();
         task_.reset();
@@ -194,6 +197,35 @@ TEST_F(ViewerMaps, AWorkerBuildsThemWhereThereIsOne) {
     settle(helped);
     EXPECT_EQ(methodOf(helped), "primitive-map") << "by itself";
     EXPECT_EQ(worker->asked, 4);
+}
+
+TEST_F(ViewerMaps, AWorkerCutsTheSceneThatItKnowsAndBuildsItsMap) {
+    if (test::testLimits() != gl::Limits::device) GTEST_SKIP() << "no float textures";
+    const auto worker = std::make_shared<TestWorker>(test::loadedOf(manyBoxes()));
+    worker->mayAnswer = true;
+    ViewerSettings settings;
+    settings.mapWorker = worker;
+    Viewer helped(context.capabilities(), settings);
+    helped.resize(width, height, 1.0);
+    helped.show(test::loadedOf(manyBoxes()));
+    int asked = 0;
+    for (const char* section :
+         {R"({"planes": [[0.3, -1, 0.1, 0.2]]})", R"({"planes": [[-1, 0.1, 0, 1]]})",
+          R"({"planes": [[0, -1, 0, 0.2], [1, 0, 0, 2]], "shadows": "whole"})", "null"}) {
+        SCOPED_TRACE(section);
+        Pixels pictures[2];
+        for (Viewer* const of : {&viewer, &helped}) {
+            of->change({{"show_lights", false},
+                        {"lights", {{0.4, 1, 0.3, 0}}},
+                        {"left", {{"shadows", "lookup"}}},
+                        {"section", Json::parse(section)}});
+            settle(*of);
+            EXPECT_EQ(methodOf(*of), "primitive-map");
+            pictures[of == &helped] = context.readPixels();
+        }
+        EXPECT_EQ(worker->asked, ++asked);
+        EXPECT_TRUE(pictures[0] == pictures[1]);
+    }
 }
 
 TEST_F(ViewerMaps, ALightThatIsDraggedGetsNone) {
