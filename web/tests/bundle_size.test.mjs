@@ -74,11 +74,11 @@ for (const [bundler, bundle] of Object.entries(bundlers)) {
     assert.ok(code.length < 100, code);
   });
 
-  test(`a page of ${bundler} has at most 40 KB of scripts by edgeshade/three-webgpu, compressed`, { skip }, async () => {
+  test(`a page of ${bundler} has at most 41 KB of scripts by edgeshade/three-webgpu, compressed`, { skip }, async () => {
     const { files: [[, code]] } = await bundle(entries['three-webgpu'].script);
     const compressed = gzipSync(code, { level: 9 }).length;
     console.log(bundler, { bytes: code.length, compressed });
-    assert.ok(compressed <= 40e3, `${compressed} bytes`);
+    assert.ok(compressed <= 41e3, `${compressed} bytes`);
   });
 
   test(`a page of ${bundler} has at most 54 KB of scripts by edgeshade/three, compressed, and 20 KB in each worker`, { skip }, async () => {
