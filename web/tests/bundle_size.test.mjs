@@ -74,11 +74,11 @@ for (const [bundler, bundle] of Object.entries(bundlers)) {
     assert.ok(code.length < 100, code);
   });
 
-  test(`a page of ${bundler} has at most 44 KB of scripts by edgeshade/three-webgpu, compressed`, { skip }, async () => {
+  test(`a page of ${bundler} has at most 46 KB of scripts by edgeshade/three-webgpu, compressed`, { skip }, async () => {
     const { files: [[, code]] } = await bundle(entries['three-webgpu'].script);
     const compressed = gzipSync(code, { level: 9 }).length;
     console.log(bundler, { bytes: code.length, compressed });
-    assert.ok(compressed <= 44e3, `${compressed} bytes`);
+    assert.ok(compressed <= 46e3, `${compressed} bytes`);
   });
 
   // esbuild without --splitting puts hours of sun into the page's script; Vite loads them when they are asked for.

@@ -56,6 +56,11 @@ test('all that a host may have set is as it was, and three.js\' own passes are u
     gl.bindSampler(2, gl.createSampler());
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, gl.createBuffer());
     gl.bindFramebuffer(gl.READ_FRAMEBUFFER, null);
+    // Its own textures: three.js leaves masks bound, which are made again for another size.
+    for (let i = 0; i < 6; ++i) {
+      gl.activeTexture(gl.TEXTURE0 + i);
+      gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+    }
     gl.activeTexture(gl.TEXTURE3);
     gl.enable(gl.SAMPLE_ALPHA_TO_COVERAGE);
     const before = stateOf(gl);

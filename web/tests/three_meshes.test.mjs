@@ -175,8 +175,7 @@ test('vertices of the GPU alone, instances with morph targets, far instances: a 
     odd('own buffer', new three.Mesh(own, material));
     const morphed = new three.BoxGeometry(1, 1, 1);
     morphed.morphAttributes.position = [morphed.attributes.position.clone()];
-    const crowd = odd('crowd', new three.InstancedMesh(morphed, material, 2)).children.at(-1);
-    if (!crowd.setMorphAt) crowd.morphTexture = new three.DataTexture(); // early releases have none
+    const crowd = odd('crowd', new three.InstancedMesh(three.InstancedMesh.prototype.setMorphAt ? morphed : own, material, 2)).children.at(-1);
     for (const i of [0, 1]) {
       crowd.setMatrixAt(i, new three.Matrix4().makeTranslation(i, 2, 0));
       crowd.setMorphAt?.(i, new three.Mesh(morphed));
@@ -190,7 +189,8 @@ test('vertices of the GPU alone, instances with morph targets, far instances: a 
   assertRight(told);
   assert.equal(warnings.length, 3, `${warnings}`);
   assert.match(warnings[0], /^Mesh 'own buffer' casts no shadow, .*GPU alone\.$/);
-  assert.match(warnings[1], /^Mesh 'crowd' casts no shadow, .*morph targets/);
+  // Early releases don't draw instances with morph targets at all.
+  assert.match(warnings[1], releasesOf('three-0.169', 'three').length ? /^Mesh 'crowd' casts no shadow, .*morph targets/ : /^Mesh 'crowd' casts no shadow, .*GPU alone\.$/);
   assert.match(warnings[2], /^Mesh 'far' has imprecise shadows: /);
 });
 
