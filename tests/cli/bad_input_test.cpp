@@ -57,7 +57,7 @@ ProcessResult run(const BadInput& row, const std::string& verb, const TempFolder
     return runEdgeshade(arguments);
 }
 
-/// What a verb made of a row's input.
+/// Outcome of a verb on a row's input.
 struct Outcome {
     ProcessResult result;
     std::string input, folder;
