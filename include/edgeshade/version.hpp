@@ -4,14 +4,14 @@
 
 // Version of the headers, for #if. Release versions follow Semantic Versioning 2.0.0, for the
 // promises of docs/versions.md.
-#define EDGESHADE_VERSION_MAJOR 0
-#define EDGESHADE_VERSION_MINOR 1
+#define EDGESHADE_VERSION_MAJOR 1
+#define EDGESHADE_VERSION_MINOR 0
 #define EDGESHADE_VERSION_PATCH 0
 
 namespace edgeshade {
 
 /// "major.minor.patch", as `edgeshade --version` prints it.
-inline constexpr std::string_view versionText = "0.1.0";
+inline constexpr std::string_view versionText = "1.0.0";
 
 /// Number of the packed format, "version" of the glTF extension EDGESHADE_shadow_volume. It counts
 /// apart from the release version: it rises when the packed bytes of a scene change.

@@ -1,2 +1,2 @@
 /** Version of the package, of the program and of the headers. */
-export const version = '0.1.0';
+export const version = '1.0.0';
