@@ -2,6 +2,7 @@
 // and pass on whatever isn't to fail. It also counts objects that are created and never deleted.
 #include "faulty_gl.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -101,6 +102,14 @@ template <class Function>
 auto replaced(Function& kept, Function ours, void (*found)()) {
     kept = reinterpret_cast<Function>(found);
     return reinterpret_cast<void (*)()>(ours);
+}
+
+/// A program with a shader that isn't compiled can't be linked.
+bool hasRefusedShader(GLuint program) {
+    GLuint shaders[2] = {};
+    GLsizei count = 0;
+    REAL(glGetAttachedShaders)(program, 2, &count, shaders);
+    return std::count(shaders, shaders + count, state().refused) > 0;
 }
 
 } // namespace
@@ -252,7 +261,9 @@ void glGetShaderiv(GLuint shader, GLenum name, GLint* value) {
 
 void glGetProgramiv(GLuint program, GLenum name, GLint* value) {
     REAL(glGetProgramiv)(program, name, value);
-    const bool refused = state().is(fault::noLink) && program == state().refused;
+    const bool refused = state().is(fault::noLink)
+                             ? program == state().refused
+                             : state().is(fault::noCompile) && hasRefusedShader(program);
     if (name == GL_LINK_STATUS && refused) *value = GL_FALSE;
 }
 
