@@ -172,6 +172,34 @@ test('cells have the hours of sunhours --surfaces', async () => {
   }
 });
 
+test('displaced casters shade where they are drawn, and only a grid measures them', async () => {
+  const told = await withTools(async ({ THREE, square }, options) => {
+    const { scene, ground, canopy, shadows } = square();
+    const camera = window.page.cameraOf({ from: [9, 8, 12], to: [0, 1, 0], fov: 50 }, 4 / 3);
+    const white = new THREE.DataTexture(new Uint8Array(4).fill(255), 1, 1);
+    white.needsUpdate = true;
+    const sheet = (material) => {
+      canopy.geometry = new THREE.PlaneGeometry(3, 2, 2, 2).rotateX(-Math.PI / 2);
+      canopy.material = material;
+      canopy.castShadow = true;
+    };
+    const countsAt = async (height, more) => {
+      sheet(new THREE.MeshStandardMaterial({ side: THREE.DoubleSide, ...more }));
+      canopy.position.set(0, height, 0);
+      shadows.render(scene, camera);
+      return [...(await shadows.sunHours(ground, { ...options, step: 60, grid: 0.4 })).counts];
+    };
+    const low = await countsAt(0.5), moved = await countsAt(2);
+    const displaced = await countsAt(0.5, { displacementMap: white, displacementScale: 1, displacementBias: 0.5 });
+    const refused = await shadows.sunHours(canopy, options).then(() => '', ({ message }) => message);
+    shadows.dispose();
+    return { low, moved, displaced, refused };
+  }, days);
+  assert.deepEqual(told.displaced, told.moved);
+  assert.notDeepEqual(told.low, told.moved);
+  assert.match(told.refused, /'canopy' is skinned, morphed or displaced/);
+});
+
 test('calls report progress, can be cancelled, and refuse what they cannot measure', async () => {
   const told = await withTools(async ({ THREE, square, renderer }, options) => {
     const { shadows, ground, posts, tower, scene } = square();

@@ -159,6 +159,12 @@ export class Casters {
     return had.changed < since ? 2 : 1;
   }
 
+  /** {positions, indices, first} of the drawn part of a mesh, in its own space: see shapeOf(). Displaced, if it can be. */
+  shapeOf(mesh) {
+    const isMoved = mesh.material.displacementMap && this.#displacements?.obstacleOf(mesh) === '';
+    return shapeOf(mesh, (positions) => (isMoved ? this.#displacements.moved(mesh, positions) : positions));
+  }
+
   /** Whether the engine has a mesh, with all of its parts. */
   has(mesh) {
     return (this.#parts.last(mesh) ?? [mesh]).every((part) => this.#meshes.get(part)?.ids.length > 0);
@@ -386,7 +392,7 @@ export class Casters {
 
   /** The shape of a mesh; its origin becomes the entry's. */
   #shapeOf(mesh, { casts, tested, texcoords, doubleSided, inward, visible }, entry) {
-    const drawn = shapeOf(mesh, (positions) => (mesh.material.displacementMap ? this.#displacements.moved(mesh, positions) : positions));
+    const drawn = this.shapeOf(mesh);
     const shape = { ...drawn, ...nearOrigin(drawn.positions), casts, doubleSided, visible };
     entry.origin = shape.origin;
     entry.isFar = shape.origin.some((at) => at !== 0);

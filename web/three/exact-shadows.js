@@ -171,7 +171,7 @@ export class ExactShadows extends EventTarget {
     await this.ready();
     if (!this.#last) throw new Error('sunHours() needs a render() before it, whose meshes cast.');
     const { sunHours } = await import('./sun-hours.js');
-    return sunHours(object, this.#casters.casting, options);
+    return sunHours(object, this.#casters, options);
   }
 
   /** Whether one more frame would look different, though the scene hasn't changed. */

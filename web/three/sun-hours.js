@@ -1,7 +1,7 @@
 // Hours of sun on a host's meshes, counted by rays in a worker of its own. Loaded when they are asked for.
 
 import { BackSide, BufferAttribute, BufferGeometry, Vector3 } from 'three';
-import { isPosed, shapeOf } from './mesh-shape.js';
+import { isPosed } from './mesh-shape.js';
 
 const fail = (sentence) => {
   throw new Error(`sunHours(): ${sentence}.`);
@@ -29,9 +29,8 @@ function daysOf({ place, date, times, step = 10, hours = [0, 24], utcOffset = ''
   return { ...sun, from, to, hours: [...hours], utcOffset };
 }
 
-/** A mesh as the worker takes it; its arrays are copies. `places`: matrices' elements, or null. */
-function meshOf(part, places, casts, measured) {
-  const { positions, indices } = shapeOf(part);
+/** A mesh as the worker takes it, of a part's shape; its arrays are copies. `places`: matrices' elements, or null. */
+function meshOf({ positions, indices }, part, places, casts, measured) {
   const inward = part.material?.side === BackSide; // a face's front is where its corners run counter-clockwise
   if (inward) for (let i = 0; i < indices.length; i += 3) [indices[i + 1], indices[i + 2]] = [indices[i + 2], indices[i + 1]];
   const sound = places.filter((elements) => elements?.every(Number.isFinite));
@@ -44,7 +43,7 @@ function requireMesh(mesh) {
   const which = `mesh '${name}'`;
   if (!mesh.isMesh) fail(`object '${name}' is no mesh, so that only a grid can measure it`);
   if (mesh.isInstancedMesh || mesh.isBatchedMesh) fail(`${which} stands at several places, so that only a grid can measure it`);
-  if (isPosed(mesh)) fail(`${which} is skinned or morphed, so that only a grid can measure it`);
+  if (isPosed(mesh) || mesh.material.displacementMap) fail(`${which} is skinned, morphed or displaced, so that only a grid can measure it`);
   if (!mesh.matrixWorld.determinant()) fail(`${which} is scaled to nothing`); // or NaN
   if (!geometry.attributes.normal) fail(`${which} has no normals, by which vertices face the sky`);
 }
@@ -61,7 +60,7 @@ function taskOf(object, casters, { grid, offset = 0 }, days) {
   if (grid === undefined) {
     requireMesh(object);
     const { geometry, matrixWorld, material } = object;
-    const meshes = casters.map(({ part, places }) => meshOf(part, places, true, false));
+    const meshes = casters.casting.map(({ part, places }) => meshOf(casters.shapeOf(part), part, places, true, false));
     // Its vertices come last, without triangles, which cast only as its casters do.
     const { position, normal } = geometry.attributes;
     const corners = { positions: vectorsOf(position, position.count), indices: new Uint32Array(), casts: false, measured: false };
@@ -72,10 +71,11 @@ function taskOf(object, casters, { grid, offset = 0 }, days) {
   if (!isNumber(grid, Number.MIN_VALUE) || !isNumber(offset, 0)) fail('grid must be above 0, and offset 0 or more, in scene units');
   const measured = new Set();
   object.traverseVisible((one) => one.isMesh && measured.add(one));
-  const known = new Set(casters.map(({ whole }) => whole));
-  const others = [...measured].filter((mesh) => !known.has(mesh)).map((mesh) => meshOf(mesh, placesOf(mesh), false, true));
+  const { casting } = casters;
+  const known = new Set(casting.map(({ whole }) => whole));
+  const others = [...measured].filter((mesh) => !known.has(mesh)).map((mesh) => meshOf(casters.shapeOf(mesh), mesh, placesOf(mesh), false, true));
   if (measured.size === 0) fail('there is no visible mesh to measure');
-  return { days, grid, offset, meshes: [...casters.map(({ part, whole, places }) => meshOf(part, places, true, measured.has(whole))), ...others] };
+  return { days, grid, offset, meshes: [...casting.map(({ part, whole, places }) => meshOf(casters.shapeOf(part), part, places, true, measured.has(whole))), ...others] };
 }
 
 /** Places of a mesh that casts nothing. */
@@ -134,8 +134,7 @@ function geometryOf({ normals, faceCounts, cornerCounts, corners }, hours, origi
 }
 
 /**
- * Counts; see ExactShadows.sunHours(). `casters`: {part, whole, places} of all meshes that cast, with
- * the elements of their matrices.
+ * Counts; see ExactShadows.sunHours(). `casters`: the Casters whose meshes cast.
  */
 export async function sunHours(object, casters, options) {
   const { signal } = options;
