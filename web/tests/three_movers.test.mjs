@@ -88,7 +88,7 @@ test('a box that starts to move leaves the map, and is taken into another after 
       judged.push({ red: redOf(renderer), glb: base64Of(await glbAsPosed(scene)) });
     };
     const until = async (method) => {
-      for (const since = Date.now(); shadows.lights[0].method !== method && Date.now() - since < 30000;) {
+      for (const since = Date.now(); shadows.lights[0].method !== method && Date.now() - since < 60000;) {
         await new Promise((resolve) => { setTimeout(resolve, 100); });
         shadows.render(scene, camera);
       }

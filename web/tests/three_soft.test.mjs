@@ -74,7 +74,7 @@ test('whatever moves is masked and told; other radii and samples make another ma
     leaf.castShadow = true;
     scene.add(leaf);
     await noted('leaf');
-    for (const since = performance.now(); !shadows.notLookedUp.size && performance.now() - since < 10000;) {
+    for (const since = Date.now(); !shadows.notLookedUp.size && Date.now() - since < 60000;) {
       await new Promise((resolve) => { setTimeout(resolve, 150); });
       shadows.render(scene, camera);
     }

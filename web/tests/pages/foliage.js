@@ -93,7 +93,7 @@ export async function wholly({ rested }, shadows, scene, camera, lights = 1) {
   await rested(shadows, scene, camera, lights);
   const holdAll = () => [...shadows.lights.values()].filter(({ method }) => method === 'lookup').length === lights;
   const pause = () => new Promise((resolve) => { setTimeout(resolve, 150, false); });
-  for (const since = Date.now(); Date.now() - since < 30000;) {
+  for (const since = Date.now(); Date.now() - since < 60000;) {
     shadows.render(scene, camera); // reads new textures
     const settled = await Promise.race([shadows.settled.then(() => true), pause()]);
     if (settled && holdAll()) break;

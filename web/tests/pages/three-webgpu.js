@@ -197,7 +197,7 @@ export async function rested(shadows, scene, camera, lights = 1) {
   await shadows.ready();
   shadows.render(scene, camera);
   const isWhole = () => shadows.cost.lookedUp === lights && !shadows.needsUpdate && !shadows.lights.some(({ method }) => method === 'lookup and movers');
-  for (const since = performance.now(); !isWhole() && performance.now() - since < 20000;) {
+  for (const since = Date.now(); !isWhole() && Date.now() - since < 60000;) {
     await new Promise((resolve) => { setTimeout(resolve, 100); });
     shadows.render(scene, camera);
   }

@@ -76,12 +76,12 @@ async function drawn(shadows, scene, camera) {
 const frame = () => new Promise((resolve) => { requestAnimationFrame(resolve); });
 
 /**
- * Draws frames until this many lights are looked up, for at most half a minute; returns their
+ * Draws frames until this many lights are looked up, for at most a minute; returns their
  * number.
  */
 async function rested(shadows, scene, camera, lights = 1) {
   await drawn(shadows, scene, camera);
-  for (const since = Date.now(); shadows.cost.lookedUp !== lights && Date.now() - since < 30000;) {
+  for (const since = Date.now(); shadows.cost.lookedUp !== lights && Date.now() - since < 60000;) {
     await new Promise((resolve) => { setTimeout(resolve, 150); }); // otherwise drawing takes the
                                                                    // time that building needs
     shadows.render(scene, camera);
