@@ -27,7 +27,7 @@ async function inCourt(act, { release, looked = false, settings = {} } = {}) {
       if (await rested(shadows, scene, camera, lookups) !== lookups) throw new Error(`${shadows.cost.lookedUp} lights are looked up`);
       // Surfaces that masks can't show lack the shadows of movers.
       for (const since = Date.now(); lookups && shadows.lights[0].method !== 'lookup' && Date.now() - since < 60000;) {
-        await new Promise((resolve) => { setTimeout(resolve, 150); });
+        await new Promise((resolve) => { setTimeout(resolve, 150 * (window.haste ?? 1)); });
         shadows.render(scene, camera);
       }
     };

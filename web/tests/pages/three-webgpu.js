@@ -191,14 +191,14 @@ export async function sceneOf(name) {
   return { scene: name === 'instances' ? posts() : yard().scene, camera: cameraOf(yardView) };
 }
 
-/** Draws until as many lights are looked up with all casters, for at most 20 seconds. Returns their number. */
+/** Draws until as many lights are looked up with all casters, for at most a minute. Returns their number. */
 export async function rested(shadows, scene, camera, lights = 1) {
   shadows.render(scene, camera);
   await shadows.ready();
   shadows.render(scene, camera);
   const isWhole = () => shadows.cost.lookedUp === lights && !shadows.needsUpdate && !shadows.lights.some(({ method }) => method === 'lookup and movers');
   for (const since = Date.now(); !isWhole() && Date.now() - since < 60000;) {
-    await new Promise((resolve) => { setTimeout(resolve, 100); });
+    await new Promise((resolve) => { setTimeout(resolve, 200 * (window.haste ?? 1)); }); // otherwise drawing takes the time that building needs
     shadows.render(scene, camera);
   }
   return shadows.cost.lookedUp;

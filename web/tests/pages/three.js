@@ -82,8 +82,8 @@ const frame = () => new Promise((resolve) => { requestAnimationFrame(resolve); }
 async function rested(shadows, scene, camera, lights = 1) {
   await drawn(shadows, scene, camera);
   for (const since = Date.now(); shadows.cost.lookedUp !== lights && Date.now() - since < 60000;) {
-    await new Promise((resolve) => { setTimeout(resolve, 150); }); // otherwise drawing takes the
-                                                                   // time that building needs
+    // Otherwise drawing takes the time that building needs.
+    await new Promise((resolve) => { setTimeout(resolve, 150 * (window.haste ?? 1)); });
     shadows.render(scene, camera);
   }
   return shadows.cost.lookedUp;

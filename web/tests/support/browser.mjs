@@ -26,6 +26,7 @@ function withoutAntialiasing() {
 
 /** Clocks of the page and of its WebAssembly run this many times as fast, for tests that wait for long rests. */
 function hurry(factor) {
+  window.haste = factor;
   const { now } = Performance.prototype;
   Performance.prototype.now = function () { return factor * now.call(this); };
   const { setTimeout } = window;
