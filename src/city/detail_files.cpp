@@ -31,9 +31,10 @@ void MonthsFile::add(const MapRow& row) {
 
 BitsFile::BitsFile(const std::filesystem::path& path, const Plan& plan)
     : path_(path), file_(path, std::ios::binary) {
-    file_ << hours::npyHeaderOf(std::array{static_cast<std::size_t>(plan.region.rows()),
-                                           static_cast<std::size_t>(plan.region.columns()),
-                                           bytesOfBits(hours::positionsOf(plan.schedule).size())});
+    file_ << hours::npyHeaderOf(
+        std::array{static_cast<std::size_t>(plan.region.rows()),
+                   static_cast<std::size_t>(plan.region.columns()),
+                   hours::bytesOfRow(hours::positionsOf(plan.schedule).size())});
     require();
 }
 

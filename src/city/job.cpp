@@ -87,22 +87,10 @@ struct RayScene {
     }
 };
 
-/// The month of each position, 0 to 11, on the plan's clock.
-std::vector<std::uint8_t> monthsOf(const std::vector<hours::Position>& positions,
-                                   std::chrono::minutes offset) {
-    using namespace std::chrono;
-    std::vector<std::uint8_t> months;
-    for (const hours::Position& position : positions) {
-        const year_month_day day(floor<days>(position.time + offset));
-        months.push_back(static_cast<std::uint8_t>(static_cast<unsigned>(day.month()) - 1));
-    }
-    return months;
-}
-
 /// Counts the positions that light a cell.
 void count(std::span<const std::uint64_t> row, std::span<const std::uint8_t> months,
            std::size_t cell, JobResult& result) {
-    const std::size_t rowBytes = bytesOfBits(months.size());
+    const std::size_t rowBytes = hours::bytesOfRow(months.size());
     for (std::size_t i = 0; i < months.size(); ++i) {
         if ((row[i / 64] >> i % 64 & 1) == 0) continue;
         ++result.lit[cell];
@@ -138,7 +126,7 @@ JobResult unlitResult(const ReadPlan& read, std::size_t number, const Surroundin
     const std::size_t count = job.cells.count();
     result.lit.assign(count, 0);
     if (read.plan.months) result.months.assign(monthsOfYear * count, 0);
-    if (read.plan.bits) result.bits.assign(bytesOfBits(positions) * count, 0);
+    if (read.plan.bits) result.bits.assign(hours::bytesOfRow(positions) * count, 0);
     result.objects.assign(count, noSurface);
     result.kinds.assign(count, SurfaceKind::none);
     std::vector<std::uint32_t> numberOf(all.objects.size(), noSurface);
@@ -169,7 +157,7 @@ JobResult runJob(const ReadPlan& read, std::size_t number,
     std::vector<glm::dvec3> directions;
     for (const hours::Position& position : positions)
         directions.push_back(inFrame(position.direction));
-    const std::vector<std::uint8_t> months = monthsOf(positions, plan.schedule.offset);
+    const std::vector<std::uint8_t> months = hours::monthsOf(positions, plan.schedule.offset);
     Surroundings all = surroundingsOf(plan, job, SunFan(positions), progress);
     const std::vector<std::uint32_t> tops = topSurfaces(all.triangles, job.cells, plan.grid);
     JobResult result = unlitResult(read, number, all, tops, positions.size());

@@ -61,7 +61,7 @@ JobResult headerFrom(const JsonField& root) {
     if (bytesOfCell(months, bits, result.positions) * result.cells.count() > mostBytesOfCells)
         cells.fail(" is " + cells.value().dump() + ", which is more cells than a result has");
     if (months) result.months.resize(monthsOfYear * result.cells.count());
-    if (bits) result.bits.resize(bytesOfBits(result.positions) * result.cells.count());
+    if (bits) result.bits.resize(hours::bytesOfRow(result.positions) * result.cells.count());
     root.member("objects").forEachItem([&](const JsonField& object) {
         result.named.push_back({object.member("source").wholeNumber(), object.member("id").text(),
                                 object.member("building").boolean()});
@@ -93,7 +93,7 @@ void readCells(const Bytes& bytes, const JsonField& root, JobResult& result) {
 } // namespace
 
 std::size_t bytesOfCell(bool months, bool bits, std::size_t positions) {
-    return 2 + 4 + 1 + (months ? 2 * monthsOfYear : 0) + (bits ? bytesOfBits(positions) : 0);
+    return 2 + 4 + 1 + (months ? 2 * monthsOfYear : 0) + (bits ? hours::bytesOfRow(positions) : 0);
 }
 
 std::string fileNameOfJob(std::size_t job) {

@@ -3,6 +3,7 @@
 #include "preprocess/base/file_io.hpp"
 #include "src/city/cell_grid.hpp"
 #include "src/city/city_tile.hpp"
+#include "src/hours/positions.hpp"
 
 #include <filesystem>
 
@@ -27,18 +28,13 @@ struct JobResult {
     /// Number of positions of each month that light the cell, January first, 12 a cell; may be
     /// empty.
     std::vector<std::uint16_t> months;
-    /// Bits of positions, the first in a byte's highest bit, in bytesOfBits() bytes a cell; may be
+    /// Bits of positions, the first in a byte's highest bit, in bytesOfRow() bytes a cell; may be
     /// empty.
     Bytes bits;
     std::vector<ResultObject> named; ///< in the order of the first cell that each has
 };
 
 inline constexpr std::size_t monthsOfYear = 12;
-
-/// Bytes of a cell's bits.
-inline std::size_t bytesOfBits(std::size_t positions) {
-    return (positions + 7) / 8;
-}
 
 /// Bytes of a cell in a result, before it is deflated.
 std::size_t bytesOfCell(bool months, bool bits, std::size_t positions);

@@ -90,7 +90,7 @@ struct Line {
                             line.begin() + static_cast<std::ptrdiff_t>(perCell * to));
         };
         copy(result.months, months, monthsOfYear);
-        copy(result.bits, bits, bytesOfBits(result.positions));
+        copy(result.bits, bits, hours::bytesOfRow(result.positions));
     }
 };
 
@@ -131,7 +131,7 @@ std::size_t sweepMap(const ReadPlan& read, const std::filesystem::path& results,
                 visitor.sourceEnd(source);
         }
         mostCells = std::max(mostCells, cells);
-        Line line(plan, bytesOfBits(positions));
+        Line line(plan, hours::bytesOfRow(positions));
         for (const JobResult& result : held)
             line.put(result, y, plan.region.left);
         visitor.row({line.lit, line.months, line.bits});

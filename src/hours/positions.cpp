@@ -16,4 +16,15 @@ std::vector<Position> positionsBetween(const sun::Place& place, sun::Instant fro
     return positions;
 }
 
+std::vector<std::uint8_t> monthsOf(std::span<const Position> positions,
+                                   std::chrono::minutes offset) {
+    using namespace std::chrono;
+    std::vector<std::uint8_t> months;
+    for (const Position& position : positions) {
+        const year_month_day day(floor<days>(position.time + offset));
+        months.push_back(static_cast<std::uint8_t>(static_cast<unsigned>(day.month()) - 1));
+    }
+    return months;
+}
+
 } // namespace edgeshade::hours

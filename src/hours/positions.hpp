@@ -3,7 +3,9 @@
 #include "src/sun/ephemeris.hpp"
 
 #include <chrono>
+#include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
 
 namespace edgeshade::hours {
@@ -20,5 +22,14 @@ struct Position {
 /// as for sun::towardsSun().
 std::vector<Position> positionsBetween(const sun::Place& place, sun::Instant from, sun::Instant to,
                                        std::chrono::minutes step, double minAltitude, double north);
+
+/// The month of each position, 0 to 11, on a clock that is `offset` from universal time.
+std::vector<std::uint8_t> monthsOf(std::span<const Position> positions,
+                                   std::chrono::minutes offset);
+
+/// The bytes of a row of bits, one for each position.
+inline std::size_t bytesOfRow(std::size_t positions) {
+    return (positions + 7) / 8;
+}
 
 } // namespace edgeshade::hours

@@ -349,7 +349,7 @@ TEST(City, MonthsAndBitsAddUp) {
         EXPECT_EQ(readFile(one / name), readFile(many / name)) << name;
     // The months of each cell add up to its count, and its bits are as many.
     const JobResult result = resultFrom(whole.resultPath(1));
-    const std::size_t rowBytes = bytesOfBits(result.positions);
+    const std::size_t rowBytes = hours::bytesOfRow(result.positions);
     std::array<std::size_t, monthsOfYear> byMonth{};
     for (std::size_t cell = 0; cell < result.lit.size(); ++cell) {
         std::size_t ofMonths = 0, ofBits = 0;

@@ -39,6 +39,11 @@ void append(const glm::dvec3& vector, std::vector<double>& to) {
 
 } // namespace
 
+HoursCounter::HoursCounter() {
+    scene_.materials.resize(2);
+    scene_.materials[notCasting].alphaMode = AlphaMode::blend;
+}
+
 std::string HoursCounter::setDays(double latitude, double longitude, const std::string& from,
                                   const std::string& to, const std::string& offset, int step,
                                   double opens, double closes, double minAltitude, double north) {
@@ -123,8 +128,6 @@ void HoursCounter::begin(std::size_t count) {
 
 std::string HoursCounter::measureVertices(std::uintptr_t normals) {
     return sentenceOfFailure([&] {
-        scene_.materials.resize(2);
-        scene_.materials[notCasting].alphaMode = AlphaMode::blend;
         rays_ = std::make_unique<hours::SensorRays>(scene_, false, false, nullptr);
         const Batch& batch = scene_.batches.back();
         // As rays::surfaceTriangles() places corners, so that vertices lie in their planes.
@@ -147,8 +150,6 @@ std::string HoursCounter::measureVertices(std::uintptr_t normals) {
 
 std::string HoursCounter::measureCells(double width, double offset) {
     return sentenceOfFailure([&] {
-        scene_.materials.resize(2);
-        scene_.materials[notCasting].alphaMode = AlphaMode::blend;
         cells_ = hours::cellsOf(scene_,
                                 [&](std::uint32_t node, std::uint32_t) { return measured_[node]; },
                                 {width, offset});

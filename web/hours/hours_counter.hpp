@@ -22,6 +22,8 @@ namespace edgeshade::web {
 /// for success.
 class HoursCounter {
   public:
+    HoursCounter();
+
     /// Positions of days on a clock, as hours::Schedule has them. `from`, `to`: "2026-03-21";
     /// `offset`: "+01:00", or "" for the one that is near the longitude. Hours are since 0:00.
     std::string setDays(double latitude, double longitude, const std::string& from,

@@ -9,18 +9,6 @@ namespace {
 /// Bits of one block of cells, 16 MB: blocks of a day have all that rays can share.
 constexpr std::size_t bitsOfBlock = std::size_t{1} << 27;
 
-using namespace std::chrono;
-
-/// The month of each position, 0 to 11, on the clock.
-std::vector<std::uint8_t> monthsOf(const LightQuestion& question) {
-    std::vector<std::uint8_t> months;
-    for (const Position& position : question.positions) {
-        const year_month_day day(floor<days>(position.time + question.offset));
-        months.push_back(static_cast<std::uint8_t>(static_cast<unsigned>(day.month()) - 1));
-    }
-    return months;
-}
-
 /// Calls use(position) for each bit of a row, in order.
 template <class Use>
 void forEachLit(std::span<const std::uint64_t> row, const Use& use) {
@@ -38,7 +26,7 @@ class Measuring {
         light_.first.assign(count, CellLight::never);
         light_.last.assign(count, CellLight::never);
         if (question.months) {
-            months_ = monthsOf(question);
+            months_ = monthsOf(question.positions, question.offset);
             light_.months.assign(count, {});
         }
         if (!question.normalIrradiance.empty()) light_.directKwh.assign(count, 0.0);

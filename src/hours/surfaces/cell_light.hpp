@@ -31,11 +31,6 @@ struct CellLight {
     std::vector<std::uint8_t> bits;
 };
 
-/// The bytes of a row of CellLight::bits.
-inline std::size_t bytesOfRow(std::size_t positions) {
-    return (positions + 7) / 8;
-}
-
 /// The sensors of cells [first, end).
 std::vector<Sensor> sensorsOf(const SurfaceCells& cells, std::size_t first, std::size_t end);
 
