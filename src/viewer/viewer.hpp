@@ -1,61 +1,18 @@
 #pragma once
 
-#include "src/render/frame/light_methods.hpp"
-#include "src/render/timing/stage_timer.hpp"
 #include "src/shadow/view/scene_cameras.hpp"
+#include "src/viewer/frame_stats.hpp"
 #include "src/viewer/input.hpp"
 #include "src/viewer/sun_hours.hpp"
 #include "src/viewer/view_state.hpp"
+#include "src/viewer/viewer_settings.hpp"
 
 #include <memory>
 #include <optional>
 
 namespace edgeshade::viewer {
 
-/// Measurements of the last frames and their contents. Times are means over the last frames, 0
-/// before the first.
-struct FrameStats {
-    double frameMs = 0.0;           ///< until the picture was finished
-    double planMs = 0.0;            ///< part of frameMs: work on the CPU before drawing
-    double poseMs = 0.0;            ///< not in frameMs: posing, of a frame with a new pose
-    std::optional<StageMs> stageMs; ///< of the last frame whose stages were timed (one in 16)
-    std::size_t triangles = 0;
-    std::size_t edges = 0;
-    std::size_t records = 0;
-    std::size_t silhouettes = 0; ///< records with non-zero multiplicity for the chosen light
-    std::size_t shadowBytes = 0;
-    std::size_t mapBytes = 0;
-    std::size_t primitiveMapBytes = 0;
-    std::vector<LightMethod> lights; ///< method of each light's shadows, on the left
-};
-
-/// Progress of soft shadows: the points that stand for each light with an extent.
-struct LightPoints {
-    std::size_t shown = 0; ///< points; 0: only the light's centre
-    std::size_t of = 0;    ///< points in the end, when nothing has moved for a while; 0: no light
-                           ///< has an extent
-};
-
-/// {"shown", "of"}.
-nlohmann::ordered_json toJson(const LightPoints& points);
-
-/// {"frame_ms", "plan_ms", "pose_ms", "triangles", "edges", "records", "silhouettes",
-/// "shadow_bytes",
-///  "map_bytes", "primitive_map_bytes", "lights": [{"method", "why", "build_ms", "bytes"}, …],
-///  "stage_ms": {"ambient", "map", "silhouette", "rasterise", "lit"}}; stage_ms only once known.
-nlohmann::ordered_json toJson(const FrameStats& stats);
-
-/// Settings of a viewer that its state can't change.
-struct ViewerSettings {
-    RenderSettings render;             ///< fields of SideSettings, `ambient` and `layout` are
-                                       ///< ignored
-    std::optional<SidesLayout> layout; ///< empty: the best that the context has
-    DepthChoice depth;
-    /// Builds primitive maps that aren't needed at once; null: the viewer builds them.
-    std::shared_ptr<PrimitiveMapWorker> mapWorker;
-    /// chooseLights(), if the window provides it; null: all lights are drawn with shadows.
-    void (*chooseLights)(FrameView&, std::optional<std::size_t>) = nullptr;
-};
+struct ViewerParts;
 
 /// The viewer, the same in a window and in a browser: state, camera and light control, animation,
 /// split and debug views. Needs a current GLES 2 / WebGL 1 context with depth and stencil; draws
@@ -146,8 +103,7 @@ class Viewer {
     void restoreGpu(const gl::Capabilities& capabilities);
 
   private:
-    struct Parts;
-    std::unique_ptr<Parts> parts_;
+    std::unique_ptr<ViewerParts> parts_;
 };
 
 } // namespace edgeshade::viewer
