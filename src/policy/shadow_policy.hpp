@@ -90,6 +90,9 @@ struct LightChoice {
     /// is not a lookup.
     Technique counted = Technique::none;
     std::string_view rule; ///< its name in the table of shadow_policy.cpp
+
+    /// Whether only animated casters are counted.
+    bool countsAnimatedAlone() const { return technique == Technique::lookup; }
 };
 
 /// Whether a light takes part in lookups.

@@ -160,11 +160,11 @@ TEST(StageClock, IsToldTheStagesInTheirOrder) {
     pictureOf(ShadowMethod::volumes, &volumes);
     // The volumes of the first light are planned before the stencil is cleared.
     EXPECT_EQ(volumes.stages,
-              (std::vector{FrameStage::silhouette, FrameStage::volumes, FrameStage::ambient,
-                           FrameStage::volumes, FrameStage::lit}));
+              (std::vector{FrameStage::silhouette, FrameStage::counting, FrameStage::ambient,
+                           FrameStage::counting, FrameStage::lit}));
     pictureOf(ShadowMethod::volumes, &plain);
-    EXPECT_EQ(plain.stages, (std::vector{FrameStage::volumes, FrameStage::ambient,
-                                         FrameStage::volumes, FrameStage::lit}));
+    EXPECT_EQ(plain.stages, (std::vector{FrameStage::counting, FrameStage::ambient,
+                                         FrameStage::counting, FrameStage::lit}));
     pictureOf(ShadowMethod::map, &map);
     EXPECT_EQ(map.stages, (std::vector{FrameStage::map, FrameStage::ambient}));
     pictureOf(ShadowMethod::none, &none);
@@ -184,8 +184,8 @@ TEST(StageTimes, TheSilhouetteIsTakenOffTheVolumes) {
     };
     const std::vector<gl::SpanTimer::Span> spans = {
         span(FrameStage::ambient, 1.0),    span(FrameStage::silhouette, 2.0),
-        span(FrameStage::volumes, 7.0),    span(FrameStage::lit, 3.0),
-        span(FrameStage::silhouette, 1.0), span(FrameStage::volumes, 4.0),
+        span(FrameStage::counting, 7.0),   span(FrameStage::lit, 3.0),
+        span(FrameStage::silhouette, 1.0), span(FrameStage::counting, 4.0),
         span(FrameStage::lit, 0.5)};
     const StageMs sum = stageMs(spans);
     EXPECT_EQ(sum.ambient, 1.0);

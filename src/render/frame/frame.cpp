@@ -115,7 +115,7 @@ void Renderer::planFrame(GpuScene& scene, const FrameView& view, StageClock* clo
 
 void Renderer::planFrame(const FrameTask& task, GpuScene& scene, const FrameView& view,
                          StageClock* clock) {
-    if (!techniques_.any(&ShadowTechnique::marksByVolumes))
+    if (!techniques_.any(&ShadowTechnique::countsInStencil))
         return edgeshade::planFrame(task, plan_);
     if (clock && clock->wantsSilhouette()) {
         const StageScope stage(clock, FrameStage::silhouette);
@@ -123,7 +123,7 @@ void Renderer::planFrame(const FrameTask& task, GpuScene& scene, const FrameView
         prepare(plan_, scene, view);
         countInOnePixel(plan_, scene, view);
     }
-    const StageScope stage(clock, FrameStage::volumes);
+    const StageScope stage(clock, FrameStage::counting);
     edgeshade::planFrame(task, plan_);
     prepare(plan_, scene, view);
 }
@@ -131,7 +131,7 @@ void Renderer::planFrame(const FrameTask& task, GpuScene& scene, const FrameView
 CasterGroupInSlice Renderer::castersOf(const FrameView& view, const DepthSlice& slice,
                                        std::size_t light, std::size_t group) const {
     return {view, slice, light, group,
-            choices_[light].technique == Technique::lookup || view.lights[light].animatedAlone};
+            choices_[light].countsAnimatedAlone() || view.lights[light].animatedAlone};
 }
 
 template <class Use>
@@ -189,7 +189,7 @@ void Renderer::drawDepthAndAmbient(const SlicePass& pass) {
     if (light) {
         shading.withAmbient = true;
         shading.map = mapOf(*light);
-        // Only volumes need the share in alpha; without them alpha stays 1.
+        // Only counted shadows need the share in alpha; without them alpha stays 1.
         const bool counted = pass.plan.lights[*light].isCounted();
         state.color[3] = counted && sum_.darkens();
         set(state);
@@ -251,7 +251,7 @@ void Renderer::countAndMark(const SlicePass& pass, std::size_t light) {
 }
 
 void Renderer::count(const SlicePass& pass, std::size_t light, std::size_t group) {
-    const StageScope stage(pass.clock, FrameStage::volumes);
+    const StageScope stage(pass.clock, FrameStage::counting);
     const CountPlan& plan = pass.plan.lights[light].counts[group];
     set(passes::counting);
     vertexRuns_ +=
@@ -261,7 +261,7 @@ void Renderer::count(const SlicePass& pass, std::size_t light, std::size_t group
 
 void Renderer::drawLookedUp(const SlicePass& pass, std::size_t light) {
     ShadowTechnique* technique = techniqueOf(light);
-    if (!technique || !technique->drawsLookups()) return;
+    if (!technique || !technique->drawsMap()) return;
     const StageScope stage(pass.clock, FrameStage::map);
     vertexRuns_ += technique->draw(pass.scene, pass.view, pass.view.lights[light].light);
     glViewport(0, 0, pass.view.width, pass.view.height);

@@ -45,7 +45,7 @@ void Renderer::drawNearness(const GpuScene& scene, const FrameView& view) {
 
 /// Draws depth and planes of visible surfaces, for the masks of all lights.
 void Renderer::drawCoarseSurfaces(const SlicePass& pass) {
-    const StageScope stage(pass.clock, FrameStage::volumes);
+    const StageScope stage(pass.clock, FrameStage::counting);
     const gl::FramebufferKeeper keeper;
     coarse_->bindSurfaces();
     const gl::ScissorScope cut(scaledReach(pass.plan.reach, pass.view, coarse_->size()));

@@ -16,7 +16,7 @@ class MapTechnique : public ShadowTechnique {
         drawn_.reset();
         pass_->beginFrame(start);
     }
-    bool drawsLookups() const override { return true; }
+    bool drawsMap() const override { return true; }
     std::size_t draw(const GpuScene& scene, const FrameView& view, const Light& light) override {
         drawn_ = pass_->draw(scene, view, light);
         return pass_->vertexRuns();

@@ -58,8 +58,9 @@ class ShadowTechnique {
     /// and depth masks, viewport, scissor, depth function (less) and the stencil's test and
     /// function (always) are the caller's state. Returns vertex runs.
     virtual std::size_t mark(const MarkTask&) { return 0; }
-    /// Whether mark() draws volumes, whose vertex work can be timed in a single pixel.
-    virtual bool marksByVolumes() const { return false; }
+    /// Whether mark() counts in the stencil, so that its vertex work can be timed in a single
+    /// pixel.
+    virtual bool countsInStencil() const { return false; }
     /// Draws what mark() draws into the current buffers, and does nothing else.
     virtual void countAlone(const MarkTask&) const {}
     /// Whether it also marks pixels without surfaces, so that drawing can't be limited to visible
@@ -70,7 +71,7 @@ class ShadowTechnique {
     virtual bool leavesFacing() const { return false; }
 
     /// Whether draw() does anything.
-    virtual bool drawsLookups() const { return false; }
+    virtual bool drawsMap() const { return false; }
     /// Draws what the light's surfaces sample; changes viewport, depth, stencil and blending state.
     /// Returns vertex runs.
     virtual std::size_t draw(const GpuScene&, const FrameView&, const Light&) { return 0; }

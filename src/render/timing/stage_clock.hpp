@@ -8,7 +8,7 @@ enum class FrameStage {
     ambient,    ///< depth, ambient light, and the light that is drawn with it
     map,        ///< drawing a shadow map; absent while a kept map is still valid
     silhouette, ///< only the volumes' vertex work, see StageClock
-    volumes,    ///< the whole volumes: the same vertex work again, and rasterising
+    counting,   ///< the whole volumes: the same vertex work again, and rasterising
     lit, ///< removing light in shadow from `ambient`; surfaces lit by further lights; see-through
          ///< surfaces
 };

@@ -18,7 +18,7 @@ StageMs stageMs(std::span<const gl::SpanTimer::Span> frame) {
         case FrameStage::silhouette:
             sum.silhouette += span.milliseconds;
             break;
-        case FrameStage::volumes:
+        case FrameStage::counting:
             volumes += span.milliseconds;
             break;
         case FrameStage::lit:

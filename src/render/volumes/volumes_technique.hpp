@@ -25,7 +25,7 @@ class VolumesTechnique : public ShadowTechnique {
     void prepare(const CountPlan& plan, GpuScene& scene,
                  const CasterGroupInSlice& casters) override;
     std::size_t mark(const MarkTask& task) override;
-    bool marksByVolumes() const override { return true; }
+    bool countsInStencil() const override { return true; }
     void countAlone(const MarkTask& task) const override;
     /// Opposite-vertex records and triangles also count where no surface is.
     bool marksEverywhere() const override;
