@@ -1,12 +1,10 @@
 #include "preprocess/section/section_fill.hpp"
 
 #include "preprocess/base/error.hpp"
+#include "preprocess/mesh/tessellation.hpp"
 #include "preprocess/mesh/weld.hpp"
 
 #include <algorithm>
-#include <deque>
-#include <GL/glu.h>
-#include <memory>
 
 namespace edgeshade {
 namespace {
@@ -110,81 +108,29 @@ void closeSlivers(const std::vector<CutLine>& lines, const std::vector<glm::vec3
                 faces.push_back({loop[0], loop[i], loop[i + 1]});
 }
 
-/// GLU's tessellator, called back with vertices as pointers to their numbers.
-class Tessellator {
-  public:
-    Tessellator(Geometry& geometry, const glm::dvec4& plane)
-        : geometry_(geometry), tess_(gluNewTess()) {
-        if (!tess_)
-            throw Error(ExitStatus::unavailable, "There is no memory for a section's fill.");
-        using Callback = void(GLAPIENTRY*)();
-        const auto on = [&](GLenum event, Callback call) {
-            gluTessCallback(tess_.get(), event, call);
-        };
-        on(GLU_TESS_VERTEX_DATA, reinterpret_cast<Callback>(&addVertex));
-        on(GLU_TESS_COMBINE_DATA, reinterpret_cast<Callback>(&combine));
-        on(GLU_TESS_ERROR_DATA, reinterpret_cast<Callback>(&fail));
-        // With this callback GLU makes triangles alone, no strips and fans.
-        on(GLU_TESS_EDGE_FLAG, reinterpret_cast<Callback>(&ignoreFlag));
-        gluTessProperty(tess_.get(), GLU_TESS_WINDING_RULE, GLU_TESS_WINDING_NONZERO);
-        const glm::dvec3 outward = -glm::dvec3(plane);
-        gluTessNormal(tess_.get(), outward.x, outward.y, outward.z);
+/// The triangles of loops. Where lines cross, vertices are added.
+std::vector<std::array<std::uint32_t, 3>>
+trianglesOf(const std::vector<std::vector<std::uint32_t>>& loops, const glm::dvec4& plane,
+            Geometry& geometry) {
+    std::vector<std::vector<glm::dvec3>> places;
+    std::vector<std::uint32_t> numbers;
+    for (const std::vector<std::uint32_t>& loop : loops) {
+        std::vector<glm::dvec3>& to = places.emplace_back();
+        for (const std::uint32_t vertex : loop)
+            to.emplace_back(geometry.positions[vertex]);
+        numbers.insert(numbers.end(), loop.begin(), loop.end());
     }
-
-    std::vector<std::array<std::uint32_t, 3>>
-    trianglesOf(const std::vector<std::vector<std::uint32_t>>& loops) {
-        gluTessBeginPolygon(tess_.get(), this);
-        for (const std::vector<std::uint32_t>& loop : loops) {
-            gluTessBeginContour(tess_.get());
-            for (const std::uint32_t vertex : loop)
-                add(vertex);
-            gluTessEndContour(tess_.get());
-        }
-        gluTessEndPolygon(tess_.get());
-        if (failed_)
-            throw Error(ExitStatus::unavailable, "There is no memory for a section's fill.");
-        std::vector<std::array<std::uint32_t, 3>> triangles;
-        for (std::size_t i = 0; i + 2 < corners_.size(); i += 3)
-            triangles.push_back({corners_[i], corners_[i + 1], corners_[i + 2]});
-        return triangles;
+    std::optional<Tessellation> made = tessellate(places, -glm::dvec3(plane), WindingRule::nonzero);
+    if (!made) throw Error(ExitStatus::unavailable, "There is no memory for a section's fill.");
+    for (const glm::dvec3& added : made->added) {
+        numbers.push_back(static_cast<std::uint32_t>(geometry.positions.size()));
+        geometry.positions.push_back(glm::vec3(added) + 0.0f); // no -0
     }
-
-  private:
-    struct Vertex {
-        std::array<GLdouble, 3> place;
-        std::uint32_t number;
-    };
-    struct Delete {
-        void operator()(GLUtesselator* tess) const { gluDeleteTess(tess); }
-    };
-
-    void add(std::uint32_t number) {
-        const glm::dvec3 at(geometry_.positions[number]);
-        Vertex& vertex = vertices_.emplace_back(Vertex{{at.x, at.y, at.z}, number});
-        gluTessVertex(tess_.get(), vertex.place.data(), &vertex);
-    }
-
-    static void GLAPIENTRY addVertex(void* vertex, void* self) {
-        static_cast<Tessellator*>(self)->corners_.push_back(static_cast<Vertex*>(vertex)->number);
-    }
-    static void GLAPIENTRY combine(GLdouble place[3], void* [4], GLfloat[4], void** made,
-                                   void* self) {
-        auto& of = *static_cast<Tessellator*>(self);
-        const auto number = static_cast<std::uint32_t>(of.geometry_.positions.size());
-        of.geometry_.positions.push_back(glm::vec3(place[0], place[1], place[2]) + 0.0f);
-        *made = &of.vertices_.emplace_back(Vertex{{place[0], place[1], place[2]}, number});
-    }
-    static void GLAPIENTRY fail(GLenum error, void* self) {
-        if (error == GLU_OUT_OF_MEMORY) static_cast<Tessellator*>(self)->failed_ = true;
-    }
-    static void GLAPIENTRY ignoreFlag(GLboolean) {}
-
-    Geometry& geometry_;
-    std::unique_ptr<GLUtesselator, Delete> tess_;
-    std::deque<Vertex> vertices_; ///< GLU keeps pointers to them
-    std::vector<std::uint32_t> corners_;
-    bool failed_ = false;
-};
+    for (std::array<std::uint32_t, 3>& triangle : made->triangles)
+        for (std::uint32_t& corner : triangle)
+            corner = numbers[corner];
+    return std::move(made->triangles);
+}
 
 } // namespace
 
@@ -192,7 +138,7 @@ std::vector<std::array<std::uint32_t, 3>> fillOf(const std::vector<CutLine>& lin
                                                  const glm::dvec4& plane, Geometry& geometry) {
     if (lines.empty()) return {};
     std::vector<std::array<std::uint32_t, 3>> faces =
-        Tessellator(geometry, plane).trianglesOf(loopsOf(lines, geometry.positions));
+        trianglesOf(loopsOf(lines, geometry.positions), plane, geometry);
     closeSlivers(lines, geometry.positions, faces);
     return faces;
 }

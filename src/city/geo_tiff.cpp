@@ -10,12 +10,28 @@
 #endif
 
 namespace edgeshade::city {
+namespace {
+
+constexpr std::int64_t tileSide = 256;
+
+} // namespace
+
+bool takesBigTiff(const CellRange& region, std::size_t bands) {
+    const auto along = [](std::int64_t cells) {
+        return static_cast<std::uint64_t>((cells + tileSide - 1) / tileSide);
+    };
+    constexpr std::uint64_t rest = std::uint64_t{1} << 20; // header, tags and names of bands
+    constexpr std::uint64_t bytesOfEntry = 8;              // where a tile is, and its length
+    const std::uint64_t tile = tileSide * tileSide * sizeof(float) * bands;
+    // zlib's compressBound(): 5 bytes for each 16 kB, and more, that don't get smaller.
+    const std::uint64_t deflated = tile + (tile >> 12) + (tile >> 14) + (tile >> 25) + 13;
+    return along(region.columns()) * along(region.rows()) >
+           ((std::uint64_t{1} << 32) - rest) / (deflated + bytesOfEntry);
+}
 
 #ifdef EDGESHADE_HAS_GEOTIFF
 
 namespace {
-
-constexpr std::int64_t tileSide = 256;
 
 /// GDAL's tag of band names, as XML.
 constexpr ttag_t metadataTag = 42112;
@@ -78,7 +94,8 @@ void setKeys(TIFF* tiff, const std::optional<int>& epsg) {
 class GeoTiffWriter::Writing {
   public:
     Writing(const std::filesystem::path& path, const Plan& plan, std::span<const std::string> bands)
-        : region_(plan.region), bands_(bands.size()), tiff_(createTiff(path)) {
+        : region_(plan.region), bands_(bands.size()),
+          tiff_(createTiff(path, takesBigTiff(plan.region, bands.size()))) {
         if (!tiff_) throw Error(ExitStatus::output, "'" + path.string() + "' can't be written.");
         setTags(tiff_.get(), region_, plan.grid);
         setBands(tiff_.get(), bands);
@@ -119,11 +136,9 @@ class GeoTiffWriter::Writing {
 
     void require(bool isWritten) const {
         if (!isWritten)
-            throw Error(ExitStatus::output,
-                        "The GeoTIFF of " + std::to_string(region_.columns()) + " by " +
-                            std::to_string(region_.rows()) +
-                            " cells can't be written: the disk is full, or it exceeds TIFF's "
-                            "4 GiB.");
+            throw Error(ExitStatus::output, "The GeoTIFF of " + std::to_string(region_.columns()) +
+                                                " by " + std::to_string(region_.rows()) +
+                                                " cells can't be written: the disk is full.");
     }
 
     CellRange region_;

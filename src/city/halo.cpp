@@ -57,23 +57,46 @@ SunFan::SunFan(std::span<const hours::Position> positions) {
     if (!blades_.empty()) leastSlope_ = std::ranges::min(blades_, {}, &Blade::slope).slope;
 }
 
+/// Offsets from points of a target to points of a caster, over the ground.
+struct SunFan::Offsets {
+    glm::dvec2 low, high;
+    double farthest; ///< metres
+
+    Offsets(const Box& caster, const TargetBox& target)
+        : low(caster.low.x - target.east, caster.low.y - target.north),
+          high(caster.high.x - target.west, caster.high.y - target.south),
+          farthest(std::hypot(std::max(std::abs(low.x), std::abs(high.x)),
+                              std::max(std::abs(low.y), std::abs(high.y)))) {}
+
+    double nearest() const {
+        return std::hypot(std::max({0.0, low.x, -high.x}), std::max({0.0, low.y, -high.y}));
+    }
+
+    /// The least rise of a ray towards the sun before it meets the caster's offsets.
+    double riseAlong(const Blade& blade) const {
+        const double margin = farthest * blade.halfAngle + ofDistance;
+        const double enters = entryInto(low - margin, high + margin, blade.middle);
+        return enters * blade.slope;
+    }
+};
+
 bool SunFan::mayShade(const Box& caster, const TargetBox& target) const {
     const double rise = caster.high.z - target.lowest;
     if (rise < 0.0) return false;
     if (target.isUnder(caster)) return true;
-    // Offsets from points of the target to points of the caster, over the ground.
-    const glm::dvec2 low(caster.low.x - target.east, caster.low.y - target.north),
-        high(caster.high.x - target.west, caster.high.y - target.south);
-    const double nearest =
-        std::hypot(std::max({0.0, low.x, -high.x}), std::max({0.0, low.y, -high.y}));
-    if (nearest * leastSlope_ > rise) return false;
-    const double farthest = std::hypot(std::max(std::abs(low.x), std::abs(high.x)),
-                                       std::max(std::abs(low.y), std::abs(high.y)));
-    return std::ranges::any_of(blades_, [&](const Blade& blade) {
-        const double margin = farthest * blade.halfAngle + ofDistance;
-        const double enters = entryInto(low - margin, high + margin, blade.middle);
-        return enters * blade.slope <= rise;
-    });
+    const Offsets offsets(caster, target);
+    if (offsets.nearest() * leastSlope_ > rise) return false;
+    return std::ranges::any_of(
+        blades_, [&](const Blade& blade) { return offsets.riseAlong(blade) <= rise; });
+}
+
+double SunFan::leastHeight(const Box& caster, const TargetBox& target) const {
+    if (target.isUnder(caster)) return target.lowest;
+    const Offsets offsets(caster, target);
+    double rise = HUGE_VAL;
+    for (const Blade& blade : blades_)
+        rise = std::min(rise, offsets.riseAlong(blade));
+    return target.lowest + rise;
 }
 
 } // namespace edgeshade::city

@@ -35,7 +35,11 @@ class SunFan {
     /// (docs/method.md, C64).
     bool mayShade(const Box& caster, const TargetBox& target) const;
 
+    /// The height below which no caster over or under the box shades a point of the target.
+    double leastHeight(const Box& caster, const TargetBox& target) const;
+
   private:
+    struct Offsets;
     /// Directions between two azimuths.
     struct Blade {
         glm::dvec2 middle{0.0}; ///< over the ground, of length 1

@@ -1,7 +1,8 @@
 #include "src/city/job.hpp"
 
 #include "preprocess/base/error.hpp"
-#include "src/city/halo.hpp"
+#include "src/city/caster_filter.hpp"
+#include "src/city/lattice.hpp"
 #include "src/city/planned_bytes.hpp"
 #include "src/city/top_surface.hpp"
 
@@ -23,69 +24,137 @@ constexpr std::size_t mostBits = std::size_t{1} << 27;
 /// The side of a block of cells that share a packet of rays.
 constexpr std::int64_t blockSide = 4;
 
-/// The triangles of a job, and their objects.
-struct Surroundings {
-    std::vector<CityTriangle> triangles; ///< their objects are in `objects`
-    std::vector<ResultObject> objects;
+/// Reads the sources of a job.
+class JobSources {
+  public:
+    JobSources(const Plan& plan, const Job& job,
+               const std::function<void(double, const std::string&)>& progress)
+        : plan_(plan), job_(job), progress_(progress) {}
+
+    /// Reads a source; `number`: in Plan::sources.
+    CityTile read(std::size_t number) {
+        const PlannedSource& planned = plan_.sources[number];
+        progress_(readEnd * static_cast<double>(read_++) / static_cast<double>(job_.sources.size()),
+                  "reading " + planned.source.file);
+        return readSource(plan_.folder, planned.source, plannedBytes(plan_, planned),
+                          plan_.reading);
+    }
+
+  private:
+    const Plan& plan_;
+    const Job& job_;
+    const std::function<void(double, const std::string&)>& progress_;
+    std::size_t read_ = 0;
 };
 
-Surroundings surroundingsOf(const Plan& plan, const Job& job, const SunFan& fan,
-                            const std::function<void(double, const std::string&)>& progress) {
-    Surroundings all;
-    const TargetBox target(job.cells, plan.grid, job.lowest);
-    for (std::size_t i = 0; i < job.sources.size(); ++i) {
-        const PlannedSource& planned = plan.sources[job.sources[i]];
-        progress(readEnd * static_cast<double>(i) / static_cast<double>(job.sources.size()),
-                 "reading " + planned.source.file);
-        const CityTile tile =
-            readSource(plan.folder, planned.source, plannedBytes(plan, planned), plan.reading);
-        const auto first = static_cast<std::uint32_t>(all.objects.size());
-        for (const CityObject& object : tile.objects)
-            all.objects.push_back({job.sources[i], object.id, object.isBuilding});
-        for (CityTriangle triangle : tile.triangles) {
-            if (!fan.mayShade(triangle.box(), target)) continue;
-            triangle.object += first;
-            all.triangles.push_back(triangle);
-        }
-    }
-    return all;
+rays::Corners cornersFrom(const CityTriangle& triangle, const glm::dvec3& origin) {
+    return {triangle.corners[0] - origin, triangle.corners[1] - origin,
+            triangle.corners[2] - origin};
 }
 
-/// The triangles as a scene of rays, relative to a point of the lattice.
+/// The sources over a target.
+struct Ground {
+    std::vector<CityTriangle> over;    ///< their boxes are over or under cells
+    std::vector<CityTriangle> besides; ///< others that may shade cells
+    std::vector<ResultObject> objects; ///< of both
+};
+
+bool isOver(const TargetBox& target, const PlannedSource& source) {
+    return !source.box.empty() && target.isUnder(source.box);
+}
+
+Ground groundOf(const Plan& plan, const Job& job, const SunFan& fan, JobSources& sources) {
+    Ground ground;
+    const TargetBox target(job.cells, plan.grid, job.lowest);
+    for (const std::size_t number : job.sources) {
+        if (!isOver(target, plan.sources[number])) continue;
+        const CityTile tile = sources.read(number);
+        const auto first = static_cast<std::uint32_t>(ground.objects.size());
+        for (const CityObject& object : tile.objects)
+            ground.objects.push_back({number, object.id, object.isBuilding});
+        for (CityTriangle triangle : tile.triangles) {
+            const Box box = triangle.box();
+            if (!fan.mayShade(box, target)) continue;
+            triangle.object += first;
+            (target.isUnder(box) ? ground.over : ground.besides).push_back(triangle);
+        }
+    }
+    return ground;
+}
+
+/// The triangles that cells are on, as a scene of rays, relative to a point of the lattice. Their
+/// corners are kept as floats, which hold them exactly (C63).
 struct RayScene {
     Scene scene;
-    std::vector<rays::SurfaceTriangle> triangles; ///< in the order of the surroundings'
+    std::vector<rays::SurfaceTriangle> surfaces;
 
-    /// `tops`: triangles that cells are on. Their corners alone are kept as floats, which hold them
-    /// exactly (C63); rays never look at the others'.
-    RayScene(const std::vector<CityTriangle>& all, const std::vector<std::uint32_t>& tops,
-             const glm::dvec3& origin) {
-        std::vector<std::uint8_t> isTop(all.size(), 0);
-        for (const std::uint32_t top : tops)
-            if (top != noSurface) isTop[top] = 1;
+    RayScene(std::span<const CityTriangle> triangles, const glm::dvec3& origin) {
         Geometry geometry;
-        std::vector<std::uint32_t> firstIndices(all.size(), 0);
-        for (std::size_t t = 0; t < all.size(); ++t) {
-            if (isTop[t] == 0) continue;
-            firstIndices[t] = static_cast<std::uint32_t>(geometry.indices.size());
-            for (const glm::dvec3& corner : all[t].corners) {
+        for (const CityTriangle& triangle : triangles)
+            for (const glm::dvec3& corner : triangle.corners) {
                 geometry.indices.push_back(static_cast<std::uint32_t>(geometry.positions.size()));
                 geometry.positions.push_back(glm::vec3(corner - origin));
             }
-        }
         scene.materials.emplace_back();
         scene.batches.emplace_back().geometry = CopyOnWrite<Geometry>(std::move(geometry));
-        triangles.reserve(all.size());
-        for (std::size_t t = 0; t < all.size(); ++t) {
-            rays::SurfaceTriangle& triangle = triangles.emplace_back();
-            triangle.a = all[t].corners[0] - origin;
-            triangle.b = all[t].corners[1] - origin;
-            triangle.c = all[t].corners[2] - origin;
-            triangle.firstIndex = firstIndices[t];
-            triangle.geometry = &*scene.batches.front().geometry;
+        surfaces.reserve(triangles.size());
+        for (std::size_t t = 0; t < triangles.size(); ++t) {
+            const auto [a, b, c] = cornersFrom(triangles[t], origin);
+            rays::SurfaceTriangle& surface = surfaces.emplace_back();
+            surface.a = a;
+            surface.b = b;
+            surface.c = c;
+            surface.firstIndex = static_cast<std::uint32_t>(3 * t);
+            surface.geometry = &*scene.batches.front().geometry;
         }
     }
 };
+
+/// Puts triangles that cells are on before the others, in both lists. Returns their number.
+std::size_t sortTops(std::vector<CityTriangle>& triangles, std::vector<std::uint32_t>& tops) {
+    std::vector<std::uint32_t> numbers(triangles.size(), noSurface);
+    std::vector<CityTriangle> sorted;
+    sorted.reserve(triangles.size());
+    for (std::uint32_t& top : tops) {
+        if (top == noSurface) continue;
+        std::uint32_t& number = numbers[top];
+        if (number == noSurface) {
+            number = static_cast<std::uint32_t>(sorted.size());
+            sorted.push_back(triangles[top]);
+        }
+        top = number;
+    }
+    const std::size_t count = sorted.size();
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+        if (numbers[t] == noSurface) sorted.push_back(triangles[t]);
+    triangles.swap(sorted);
+    return count;
+}
+
+/// The casters of a job, relative to the origin: first those over its target, as they are sorted,
+/// then those of the halo, which is read a source at a time.
+std::vector<rays::Corners> castersOf(const Plan& plan, const Job& job, Ground ground,
+                                     const CasterFilter& filter, const glm::dvec3& origin,
+                                     JobSources& sources) {
+    std::vector<rays::Corners> casters;
+    const auto add = [&](const CityTriangle& triangle) {
+        casters.push_back(cornersFrom(triangle, origin));
+    };
+    const TargetBox target(job.cells, plan.grid, job.lowest);
+    // Pages that stay unused take no memory; growing by copies would.
+    std::size_t most = ground.over.size() + ground.besides.size();
+    for (const std::size_t number : job.sources)
+        if (!isOver(target, plan.sources[number])) most += plan.sources[number].triangles;
+    casters.reserve(std::min<std::size_t>(most, noSurface)); // which number triangles
+    for (const CityTriangle& triangle : ground.over)
+        add(triangle);
+    filter.forEach(ground.besides, add);
+    ground = {};
+    for (const std::size_t number : job.sources)
+        if (!isOver(target, plan.sources[number]))
+            filter.forEach(sources.read(number).triangles, add);
+    return casters;
+}
 
 /// Counts the positions that light a cell.
 void count(std::span<const std::uint64_t> row, std::span<const std::uint8_t> months,
@@ -115,7 +184,7 @@ std::vector<std::uint32_t> cellsWithSurface(const CellRange& cells,
 }
 
 /// Fills in what is known without rays.
-JobResult unlitResult(const ReadPlan& read, std::size_t number, const Surroundings& all,
+JobResult unlitResult(const ReadPlan& read, std::size_t number, const Ground& ground,
                       const std::vector<std::uint32_t>& tops, std::size_t positions) {
     const Job& job = read.plan.jobs[number - 1];
     JobResult result;
@@ -129,13 +198,13 @@ JobResult unlitResult(const ReadPlan& read, std::size_t number, const Surroundin
     if (read.plan.bits) result.bits.assign(hours::bytesOfRow(positions) * count, 0);
     result.objects.assign(count, noSurface);
     result.kinds.assign(count, SurfaceKind::none);
-    std::vector<std::uint32_t> numberOf(all.objects.size(), noSurface);
+    std::vector<std::uint32_t> numberOf(ground.objects.size(), noSurface);
     for (std::size_t cell = 0; cell < count; ++cell) {
         if (tops[cell] == noSurface) continue;
-        const CityTriangle& top = all.triangles[tops[cell]];
+        const CityTriangle& top = ground.over[tops[cell]];
         if (numberOf[top.object] == noSurface) {
             numberOf[top.object] = static_cast<std::uint32_t>(result.named.size());
-            result.named.push_back(all.objects[top.object]);
+            result.named.push_back(ground.objects[top.object]);
         }
         result.objects[cell] = numberOf[top.object];
         result.kinds[cell] = top.kind;
@@ -158,9 +227,12 @@ JobResult runJob(const ReadPlan& read, std::size_t number,
     for (const hours::Position& position : positions)
         directions.push_back(inFrame(position.direction));
     const std::vector<std::uint8_t> months = hours::monthsOf(positions, plan.schedule.offset);
-    Surroundings all = surroundingsOf(plan, job, SunFan(positions), progress);
-    const std::vector<std::uint32_t> tops = topSurfaces(all.triangles, job.cells, plan.grid);
-    JobResult result = unlitResult(read, number, all, tops, positions.size());
+    const SunFan fan(positions);
+    JobSources sources(plan, job, progress);
+    Ground ground = groundOf(plan, job, fan, sources);
+    std::vector<std::uint32_t> tops = topSurfaces(ground.over, job.cells, plan.grid);
+    const std::size_t surfaces = sortTops(ground.over, tops);
+    JobResult result = unlitResult(read, number, ground, tops, positions.size());
     const std::vector<std::uint32_t> cells = cellsWithSurface(job.cells, tops);
     if (directions.empty() || cells.empty()) return result;
 
@@ -170,15 +242,18 @@ JobResult runJob(const ReadPlan& read, std::size_t number,
     };
     const glm::dvec3 origin(middleOf(job.cells.left + job.cells.columns() / 2, plan.grid),
                             middleOf(job.cells.bottom + job.cells.rows() / 2, plan.grid), 0.0);
-    std::vector<double> heights; // of `cells`
-    heights.reserve(cells.size());
+    std::vector<double> heights(job.cells.count(), HUGE_VAL); // by cell, rounded to the lattice
     for (const std::uint32_t cell : cells)
-        heights.push_back(
-            onLattice(heightAt(all.triangles[tops[cell]], middle(cell).x, middle(cell).y)));
+        heights[cell] =
+            onLattice(heightAt(ground.over[tops[cell]], middle(cell).x, middle(cell).y));
+    RayScene rayScene(std::span(ground.over).first(surfaces), origin);
+    const CasterFilter filter(fan, job.cells, plan.grid, heights);
+    std::vector<rays::Corners> casters =
+        castersOf(plan, job, std::move(ground), filter, origin, sources);
     progress(readEnd, "building the tree of rays");
-    RayScene rayScene(all.triangles, tops, origin);
-    std::vector<CityTriangle>().swap(all.triangles); // frees it before the tree takes memory
-    const rays::LitRays litRays(rayScene.scene, std::move(rayScene.triangles));
+    const rays::LitRays litRays(
+        rayScene.scene,
+        std::make_shared<const rays::SurfaceSet>(std::move(rayScene.surfaces), std::move(casters)));
     const std::size_t atOnce =
         std::clamp<std::size_t>(mostBits / directions.size(), 64, mostAtOnce);
     for (std::size_t first = 0; first < cells.size(); first += atOnce) {
@@ -189,7 +264,7 @@ JobResult runJob(const ReadPlan& read, std::size_t number,
         std::vector<rays::SurfacePoint> points;
         for (std::size_t i = first; i < end; ++i) {
             // Any point of the vertical line would do; near the surface doubles decide most.
-            const glm::dvec3 above(middle(cells[i]), heights[i]);
+            const glm::dvec3 above(middle(cells[i]), heights[cells[i]]);
             points.push_back({above - origin, glm::dvec3(0.0, 0.0, -1.0), tops[cells[i]]});
         }
         const rays::LitBits bits = litRays.lit(points, directions, threads);

@@ -8,34 +8,44 @@
 namespace edgeshade::city {
 namespace {
 
-constexpr double partWidth = 64.0; ///< metres, at least
-constexpr double mostAlong = 16.0; ///< parts along a side of a source
+constexpr double partWidth = 64.0;    ///< metres, at least
+constexpr std::size_t mostAlong = 16; ///< parts along a side of a source
 
 } // namespace
 
-std::vector<Part> partsOf(std::span<const CityTriangle> triangles, std::size_t source) {
-    Box all;
+PartSquares::PartSquares(std::span<const CityTriangle> triangles) {
     for (const CityTriangle& triangle : triangles)
-        all.add(triangle.box());
-    if (all.empty()) return {};
-    const double width = std::max(
-        {partWidth, (all.high.x - all.low.x) / mostAlong, (all.high.y - all.low.y) / mostAlong});
-    const auto squareOf = [&](double middle, double low) {
-        return static_cast<std::size_t>(
-            std::clamp(std::floor((middle - low) / width), 0.0, mostAlong - 1.0));
+        all_.add(triangle.box());
+    if (all_.empty()) return;
+    width_ = std::max({partWidth, (all_.high.x - all_.low.x) / static_cast<double>(mostAlong),
+                       (all_.high.y - all_.low.y) / static_cast<double>(mostAlong)});
+}
+
+std::size_t PartSquares::count() const {
+    return mostAlong * mostAlong;
+}
+
+std::size_t PartSquares::squareOf(const Box& triangle) const {
+    const auto along = [&](double middle, double low) {
+        return static_cast<std::size_t>(std::clamp(std::floor((middle - low) / width_), 0.0,
+                                                   static_cast<double>(mostAlong - 1)));
     };
-    std::vector<Part> squares(static_cast<std::size_t>(mostAlong * mostAlong));
+    const glm::dvec3 middle = triangle.center();
+    return along(middle.y, all_.low.y) * mostAlong + along(middle.x, all_.low.x);
+}
+
+std::vector<Part> partsOf(std::span<const CityTriangle> triangles, std::size_t source) {
+    const PartSquares squares(triangles);
+    std::vector<Part> parts(squares.count());
     for (const CityTriangle& triangle : triangles) {
         const Box box = triangle.box();
-        const glm::dvec3 middle = box.center();
-        Part& part = squares[squareOf(middle.y, all.low.y) * static_cast<std::size_t>(mostAlong) +
-                             squareOf(middle.x, all.low.x)];
+        Part& part = parts[squares.squareOf(box)];
         part.box.add(box);
         part.source = source;
         ++part.triangles;
     }
-    std::erase_if(squares, [](const Part& part) { return part.triangles == 0; });
-    return squares;
+    std::erase_if(parts, [](const Part& part) { return part.triangles == 0; });
+    return parts;
 }
 
 PartTree::PartTree(std::vector<Part> parts) : parts_(std::move(parts)), boxes_(parts_.size()) {

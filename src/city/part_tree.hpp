@@ -14,8 +14,21 @@ struct Part {
     std::size_t source = 0; ///< in Plan::sources
 };
 
-/// Divides a source's triangles by the squares of a grid that their boxes' middles are in: squares
-/// of 64 m, or wider, so that no side has more than 16.
+/// Squares of a grid over a source: of 64 m, or wider, so that no side has more than 16.
+class PartSquares {
+  public:
+    explicit PartSquares(std::span<const CityTriangle> triangles);
+
+    std::size_t count() const;
+    /// The square that the middle of a triangle's box is in, below count().
+    std::size_t squareOf(const Box& triangle) const;
+
+  private:
+    Box all_;
+    double width_ = 0.0; ///< metres
+};
+
+/// Divides a source's triangles by the squares of a grid. Squares without triangles are left out.
 std::vector<Part> partsOf(std::span<const CityTriangle> triangles, std::size_t source);
 
 /// Boxes of boxes around the parts of a city.

@@ -193,12 +193,16 @@ class Division {
     std::size_t bytesOfCell_; ///< in a result
 };
 
-CellRange regionOf(const std::vector<PlannedSource>& sources, double grid) {
+Box boxOf(const std::vector<PlannedSource>& sources) {
     Box all;
     for (const PlannedSource& source : sources)
         all.add(source.box);
     if (all.empty())
         throw InputError("The tiles have no triangles; with --lod, none of that level of detail.");
+    return all;
+}
+
+CellRange regionOf(const Box& all, double grid) {
     const double farthest = std::max(largestComponent(all.low), largestComponent(all.high));
     if (farthest / grid > mostCells)
         throw Error(ExitStatus::usage, "--grid: cells of " + std::to_string(grid) +
@@ -214,8 +218,8 @@ CellRange regionOf(const std::vector<PlannedSource>& sources, double grid) {
             end(all.low.y, all.high.y)};
 }
 
-/// Finds the place and the direction of north.
-void findPlace(const SourceList& list, Plan& plan) {
+/// Finds the place and the direction of north. `all`: the box of all sources.
+void findPlace(const SourceList& list, const Box& all, Plan& plan) {
     if (list.place) {
         plan.schedule.place = *list.place;
         plan.schedule.north = 0.0;
@@ -224,9 +228,6 @@ void findPlace(const SourceList& list, Plan& plan) {
     if (!plan.epsg)
         throw Error(ExitStatus::usage, "--place auto: no tile of '" + list.folder.string() +
                                            "' says its EPSG code; type --place LAT,LON.");
-    Box all;
-    for (const PlannedSource& source : plan.sources)
-        all.add(source.box);
     const FramePlace found = placeInSystem(*plan.epsg, all.center());
     plan.schedule.place = found.place;
     plan.schedule.north = found.north;
@@ -251,8 +252,9 @@ Plan planOf(const SourceList& list, const PlanChoice& choice,
                  source.file);
         survey.add(source);
     }
-    plan.region = regionOf(plan.sources, plan.grid);
-    if (choice.placeFromSources) findPlace(list, plan);
+    const Box all = boxOf(plan.sources);
+    plan.region = regionOf(all, plan.grid);
+    if (choice.placeFromSources) findPlace(list, all, plan);
     plan.schedule.offset = choice.offset.value_or(hours::offsetNear(plan.schedule.place.longitude));
     Division division(plan, survey.takeParts(), choice.memory);
     std::int64_t side = largestSide;

@@ -55,9 +55,9 @@ TiffHandle openTiff(TiffMemory& memory) {
                                       sizeOf, nullptr, nullptr));
 }
 
-TiffHandle createTiff(const std::filesystem::path& path) {
+TiffHandle createTiff(const std::filesystem::path& path, bool isBig) {
     silence();
-    return TiffHandle(XTIFFOpen(path.c_str(), "w"));
+    return TiffHandle(XTIFFOpen(path.c_str(), isBig ? "w8" : "w"));
 }
 
 } // namespace edgeshade::city

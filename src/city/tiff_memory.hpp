@@ -33,7 +33,7 @@ using GeoKeys = std::unique_ptr<GTIF, FreeKeys>;
 
 /// Opens `memory`, which must outlive the handle, for reading; null: it is no TIFF.
 TiffHandle openTiff(TiffMemory& memory);
-/// Makes a new file; null: it can't be written.
-TiffHandle createTiff(const std::filesystem::path& path);
+/// Makes a new file, a BigTIFF or one of at most 4 GiB; null: it can't be written.
+TiffHandle createTiff(const std::filesystem::path& path, bool isBig);
 
 } // namespace edgeshade::city

@@ -18,10 +18,12 @@ class Holes {
     /// `isHole`: null: there are none.
     Holes(const Scene& scene, const std::vector<SurfaceTriangle>& triangles, IsHole isHole);
 
-    /// Whether light passes through where the line from `origin` meets a triangle.
+    /// Whether light passes through where the line from `origin` meets a triangle. Those after
+    /// `triangles` have no holes.
     bool at(const std::vector<SurfaceTriangle>& triangles, std::uint32_t triangle,
             const glm::dvec3& origin, const glm::dvec3& direction) const {
-        return isHole_ && mayHave_[triangle] != 0 && isMet(triangles[triangle], origin, direction);
+        return triangle < mayHave_.size() && mayHave_[triangle] != 0 &&
+               isMet(triangles[triangle], origin, direction);
     }
 
   private:
@@ -29,7 +31,7 @@ class Holes {
                const glm::dvec3& direction) const;
 
     IsHole isHole_;
-    std::vector<std::uint8_t> mayHave_; ///< by triangle; empty: none has
+    std::vector<std::uint8_t> mayHave_; ///< by triangle; empty: none has; so are those after them
 };
 
 } // namespace edgeshade::rays

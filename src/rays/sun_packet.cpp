@@ -217,7 +217,7 @@ Lanes SunPacket::lit(const SunDirection& sun) {
 }
 
 Lanes SunPacket::test(std::uint32_t triangle) {
-    if (triangle == tried_ || !set_.triangles[triangle].casts) return 0;
+    if (triangle == tried_ || !set_.casts(triangle)) return 0;
     Lanes open = lit_;
     for (std::size_t i = 0; i < surfaceCount_; ++i)
         if (surfaces_[i].triangle == triangle) open &= static_cast<Lanes>(~surfaces_[i].points);

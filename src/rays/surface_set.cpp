@@ -25,4 +25,8 @@ SurfaceSet::SurfaceSet(std::vector<SurfaceTriangle> all)
     : triangles(std::move(all)), corners(cornersOf(triangles)),
       tree(corners, numbersTo(corners.size())) {}
 
+SurfaceSet::SurfaceSet(std::vector<SurfaceTriangle> surfaces, std::vector<Corners> all)
+    : triangles(std::move(surfaces)), corners(std::move(all)),
+      tree(corners, numbersTo(corners.size())) {}
+
 } // namespace edgeshade::rays

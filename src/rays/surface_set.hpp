@@ -11,10 +11,17 @@ namespace edgeshade::rays {
 struct SurfaceSet {
     /// `all`: relative to one place, from surfaceTriangles().
     explicit SurfaceSet(std::vector<SurfaceTriangle> all);
+    /// `surfaces`: those that points lie on. `all`: their corners, then those of triangles that
+    /// only cast and have no holes, which take less memory so. Relative to one place.
+    SurfaceSet(std::vector<SurfaceTriangle> surfaces, std::vector<Corners> all);
+
+    bool casts(std::uint32_t triangle) const {
+        return triangle >= triangles.size() || triangles[triangle].casts;
+    }
 
     std::vector<SurfaceTriangle> triangles;
-    std::vector<Corners> corners; ///< by triangle
-    RayTree tree;                 ///< of all triangles
+    std::vector<Corners> corners; ///< by triangle, and of those that only cast
+    RayTree tree;                 ///< of all that have corners
 };
 
 } // namespace edgeshade::rays

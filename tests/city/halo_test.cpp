@@ -1,7 +1,7 @@
-// Halos hold every caster that shades, and leave out those where the sun never is.
+// Halos hold every caster that shades, and leave out those where the sun never is and those that
+// are too low.
 
-#include "src/city/halo.hpp"
-#include "src/city/part_tree.hpp"
+#include "src/city/caster_filter.hpp"
 #include "src/hours/schedule.hpp"
 
 #include <gtest/gtest.h>
@@ -54,6 +54,7 @@ TEST_P(SunFanTest, MissesNoCaster) {
         box.add(at);
         if (i % 2 == 1) box.add(at - glm::dvec3(between(-9.0, 9.0), between(-9.0, 9.0), 5.0));
         ASSERT_TRUE(fan.mayShade(box, target)) << i;
+        ASSERT_LE(fan.leastHeight(box, target), box.high.z) << i;
     }
 }
 
@@ -88,6 +89,90 @@ TEST(SunFan, LooksTowardsTheSunAlone) {
     const SunFan night({});
     EXPECT_TRUE(night.mayShade(towerAt(50.0, 50.0), target));
     EXPECT_FALSE(night.mayShade(towerAt(101.0, 50.0), target));
+}
+
+TEST(SunFan, KnowsTheLeastHeightOfCasters) {
+    const TargetBox target = squareAt(0, 0, 100, 7.0);
+    const SunFan fan(springDay());
+    for (const glm::dvec2 at : {glm::dvec2(400.0, 50.0), {-90.0, 20.0}, {50.0, -120.0}}) {
+        Box box;
+        box.add({at, 0.0});
+        const double least = fan.leastHeight(box, target);
+        EXPECT_GT(least, target.lowest);
+        box.high.z = least + 1e-9;
+        EXPECT_TRUE(fan.mayShade(box, target)) << at.x;
+        box.high.z = least - 1e-9;
+        EXPECT_FALSE(fan.mayShade(box, target)) << at.x;
+    }
+    Box under;
+    under.add({50.0, 50.0, -9.0});
+    EXPECT_EQ(fan.leastHeight(under, target), target.lowest);
+    Box north;
+    north.add({50.0, 300.0, 0.0});
+    EXPECT_EQ(fan.leastHeight(north, target), HUGE_VAL); // where the sun never is
+}
+
+/// A slope of cells of 2 m that rises to the east, with a gap.
+struct Slope {
+    CellRange cells{-32, 500, 32, 540};
+    double width = 2.0;
+
+    double heightAt(std::int64_t column) const { return 100.0 + 1.5 * width * double(column); }
+    bool isGap(std::int64_t column, std::int64_t row) const {
+        return column < -16 && row < 520; // the lowest, with whole squares
+    }
+    std::vector<double> heights() const {
+        std::vector<double> heights;
+        for (std::int64_t row = cells.bottom; row < cells.top; ++row)
+            for (std::int64_t column = cells.left; column < cells.right; ++column)
+                heights.push_back(isGap(column, row) ? HUGE_VAL : heightAt(column));
+        return heights;
+    }
+};
+
+TEST(CasterFilter, LeavesOutOnlyWhatShadesNoCell) {
+    const Slope slope;
+    const std::vector<hours::Position> positions = springDay();
+    const SunFan fan(positions);
+    const CasterFilter filter(fan, slope.cells, slope.width, slope.heights());
+    std::mt19937 random(3);
+    const auto between = [&](double low, double high) {
+        return std::uniform_real_distribution(low, high)(random);
+    };
+    // Triangles whose highest corner is on a ray from a cell, or from the lowest height below it.
+    std::vector<CityTriangle> shading, others;
+    while (shading.size() < 4000) {
+        const std::int64_t column = slope.cells.left + std::int64_t(random() % 64),
+                           row = slope.cells.bottom + std::int64_t(random() % 40);
+        if (slope.isGap(column, row)) continue;
+        const glm::dvec3 sun = positions[random() % positions.size()].direction;
+        const glm::dvec3 along = std::exp(between(4.0, 7.0)) * glm::dvec3(sun.x, -sun.z, sun.y);
+        const auto triangleFrom = [&](double height) {
+            const glm::dvec3 at =
+                glm::dvec3(middleOf(column, slope.width), middleOf(row, slope.width), height) +
+                along;
+            return CityTriangle{
+                {at, at + glm::dvec3(-3.0, 0.0, -2.0), at + glm::dvec3(0.0, 3.0, -1.0)}};
+        };
+        shading.push_back(triangleFrom(slope.heightAt(column)));
+        others.push_back(triangleFrom(slope.heightAt(slope.cells.left)));
+    }
+    std::size_t count = 0, kept = 0;
+    filter.forEach(shading, [&](const CityTriangle&) { ++count; });
+    EXPECT_EQ(count, shading.size());
+    // A test against the lowest of all cells would use every other, too.
+    for (const CityTriangle& triangle : others)
+        filter.forEach(std::span(&triangle, 1), [&](const CityTriangle&) { ++kept; });
+    EXPECT_LT(kept, others.size() * 3 / 4);
+    EXPECT_GT(kept, 0u);
+}
+
+TEST(CasterFilter, UsesNothingWhereNoCellHasASurface) {
+    const SunFan fan(springDay());
+    const CasterFilter filter(fan, {0, 0, 4, 4}, 1.0, std::vector<double>(16, HUGE_VAL));
+    const std::vector<CityTriangle> triangles = {
+        {{glm::dvec3(0.0), glm::dvec3(4.0, 0.0, 9.0), glm::dvec3(0.0, 4.0, 9.0)}}};
+    filter.forEach(triangles, [](const CityTriangle&) { ADD_FAILURE(); });
 }
 
 TEST(PartTree, FindsWhatALoopFinds) {

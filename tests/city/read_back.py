@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """read_back.py EDGESHADE MAKE_CITY: opens the files of `city merge` with GDAL, without any code of this
-program. Skipped (77) without GDAL's Python."""
+program, and lets the program read a BigTIFF of GDAL's. Skipped (77) without GDAL's Python."""
 
 import json
 import os
@@ -62,4 +62,18 @@ with tempfile.TemporaryDirectory() as folder:
     assert (preview.RasterXSize, preview.RasterYSize) == (96, 96)
     table = gdal.OpenEx("map/objects.csv")  # owns its layer
     assert sum(int(row.GetField("cells")) for row in table.GetLayer(0)) == report["cells_with_surface"]
+
+    # The same heights as a TIFF and as a BigTIFF.
+    run(make_city, "rasters", "raster", "2", "1", "2", "15", "1")
+    (name,) = [file for file in os.listdir("rasters") if file.endswith(".tif")]
+    os.mkdir("big")
+    gdal.Translate(f"big/{name}", f"rasters/{name}", creationOptions=["BIGTIFF=YES", "TILED=YES"])
+    headers = [open(f"{tiles}/{name}", "rb").read(4) for tiles in ("rasters", "big")]
+    assert headers == [b"II*\0", b"II+\0"], headers
+    for tiles in ("rasters", "big"):
+        run(edgeshade, "city", "plan", tiles, "--place", "48.14,11.57", "--date", "2026-06-30", "--step", "60", "-o",
+            f"{tiles}.json")
+        run(edgeshade, "city", "run", f"{tiles}.json", "--job", "1")
+        run(edgeshade, "city", "merge", f"{tiles}.json", "-o", f"{tiles}-map")
+    assert open("rasters-map/hours.tif", "rb").read() == open("big-map/hours.tif", "rb").read()
 print("read back")

@@ -99,6 +99,33 @@ TEST(LitRays, HolesLetLightThrough) {
     EXPECT_TRUE(isLit(rays, SurfacePoint::at({0.5, 0, 0.25}, up, 0), {0, 1, 0}));
 }
 
+// Casters that no point lies on may be corners alone. They have no holes, whatever others have.
+TEST(LitRays, CornersAloneShade) {
+    Material leaves;
+    leaves.alphaMode = AlphaMode::mask;
+    const Scene scene =
+        SceneBuilder().material(leaves).floor(10).box({0, 0, -5}, {1, 2, 5}).scene();
+    std::vector<rays::SurfaceTriangle> surfaces =
+        rays::surfaceTriangles(scene, glm::dvec3(0.0), false, true);
+    std::vector<rays::Corners> corners;
+    for (const rays::SurfaceTriangle& t : surfaces)
+        corners.push_back({t.a, t.b, t.c});
+    std::size_t floor = 0;
+    while (surfaces[floor].a.y == 0.0 && surfaces[floor].b.y == 0.0 && surfaces[floor].c.y == 0.0)
+        ++floor;
+    ASSERT_GT(floor, 0u);
+    ASSERT_LT(floor, surfaces.size());
+    surfaces.resize(floor);
+    const LitRays rays(
+        scene, std::make_shared<const rays::SurfaceSet>(std::move(surfaces), std::move(corners)),
+        [](const rays::SurfaceTriangle&, double, double) { return true; });
+    for (const double x : {1.01, 4.99, 5.01, 8.0}) {
+        const glm::dvec3 place(x, 0, 0.3);
+        const SurfacePoint point = SurfacePoint::at(place, up, triangleAt(rays, place));
+        EXPECT_EQ(isLit(rays, point, {-2, 1, 0}), x > 5.0) << x;
+    }
+}
+
 TEST(LitRays, ManyPointsAndDirectionsHaveTheirBits) {
     const Scene scene = SceneBuilder().floor(10).box({0, 0, -5}, {1, 2, 5}).scene();
     const LitRays rays = raysOf(scene);
