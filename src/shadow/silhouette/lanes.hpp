@@ -30,4 +30,12 @@ inline Floats magnitude(Floats value) {
     return value;
 }
 
+/// Lane by lane; the second where the first is no number.
+inline Floats lesser(Floats a, Floats b) {
+    return a < b ? a : b;
+}
+inline Floats greater(Floats a, Floats b) {
+    return a > b ? a : b;
+}
+
 } // namespace edgeshade::silhouette
