@@ -68,7 +68,7 @@ TEST(FaceChain, ASunsSegmentsAreWithinTheirErrorOfTheEdges) {
         const Seen seen(shadow, {glm::dvec4(random.inCube(), 0.0)}, place);
         const FaceChain& face = seen.faces[0];
         ASSERT_EQ(face.segments.size(), seen.casters.pairs.size() + seen.casters.singles.size());
-        EXPECT_TRUE(std::isfinite(face.error)) << scale;
+        EXPECT_LT(face.error, 1e-5) << scale; // far-off coordinates cost nothing
         for (std::size_t k = 0; k < seen.casters.pairs.size(); ++k) {
             const PairRecord& pair = shadow.pairs[seen.casters.pairs[k].record];
             const glm::dvec2 a(seen.rays.to(pair.a)), b(seen.rays.to(pair.b));

@@ -1,3 +1,4 @@
+#include "src/shadow/layers/face_bound.hpp"
 #include "src/shadow/layers/winding_grid.hpp"
 #include "tests/support/hard_lights.hpp"
 
@@ -225,7 +226,7 @@ TEST(WindingGrid, SegmentsTouchNoCellsBesideTheirPlaces) {
         grid.add(segments, places);
         for (std::size_t i = 0; i < segments.size(); ++i) {
             const int place = places[i];
-            if (place == WindingGrid::elsewhere) continue;
+            if (place == grid.elsewhere()) continue;
             const bool isOnly = place >= 0;
             ++(isOnly ? only : inSquares);
             const int first = isOnly ? place : WindingGrid::inSquare(place);
@@ -240,6 +241,34 @@ TEST(WindingGrid, SegmentsTouchNoCellsBesideTheirPlaces) {
     }
     EXPECT_GT(only, 1000);
     EXPECT_GT(inSquares, 1000);
+}
+
+/// The most triangles found at any point of a fine lattice.
+int mostFound(const std::vector<Triangle2>& triangles) {
+    int most = 0;
+    for (double x = 0.13; x < latticeSide; x += 0.25)
+        for (double y = 0.11; y < latticeSide; y += 0.25)
+            most = std::max(most, countAt(triangles, {x, y}));
+    return most;
+}
+
+TEST(FaceBound, NoLimitBelowTheTruthHolds) {
+    Random random(7);
+    int shown = 0;
+    for (int round = 0; round < 60; ++round) {
+        const std::vector<Triangle2> triangles = latticeTriangles(random, 20 + 2 * round);
+        FaceChain face;
+        face.segments = boundaryOf(triangles);
+        const Outline filledOutline{-0.1, latticeSide + 0.2, -0.1, latticeSide + 0.3};
+        const int truth = mostFound(triangles);
+        for (const int limit : {truth - 1, truth, truth + 1, truth + 3}) {
+            FaceBound bound(static_cast<std::size_t>(limit));
+            if (!bound.holds(face, filledOutline, 0)) continue;
+            ++shown;
+            EXPECT_GE(bound.most(), truth) << limit;
+        }
+    }
+    EXPECT_GT(shown, 60);
 }
 
 // The grid's purpose: a triangle's cells have its count, and a long edge touches few of them.

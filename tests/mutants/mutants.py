@@ -507,7 +507,7 @@ MUTANTS = (
     ("silhouettes of a square of cells are missing from finer grids of its upper ones",
      "src/shadow/layers/face_bound.cpp",
      "for (int r = std::max(row - 1, 0); r <= row; ++r)", "for (int r = row; r <= row; ++r)",
-     "layer_bound_test", "LayerSearch.*"),
+     "layer_bound_test", "FaceBound.*"),
     ("a sun's rays in floats are as exact as in doubles",
      "src/shadow/layers/sun_rays.cpp",
      "rayRounding * std::max(terms.x, terms.y)", "0x1p-50 * std::max(terms.x, terms.y)",

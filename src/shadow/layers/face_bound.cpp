@@ -49,7 +49,8 @@ class CrowdedPlaces {
     CrowdedPlaces(std::vector<Crowded>& cells, int side)
         : cells_(cells), side_(side), at_(static_cast<std::size_t>(side * side), -1),
           before_(static_cast<std::size_t>((side + 1) * (side + 1)), 0),
-          inSquare_(static_cast<std::size_t>(side * side), 0) {
+          inSquare_(static_cast<std::size_t>(side * side + 1), 0) {
+        inSquare_.back() = 1;
         for (std::size_t i = 0; i < cells.size(); ++i) {
             const auto [row, column] = std::pair(cells[i].row, cells[i].column);
             at_[static_cast<std::size_t>(row * side + column)] = static_cast<int>(i);
@@ -73,7 +74,7 @@ class CrowdedPlaces {
                0;
     }
 
-    /// Whether any are in a square as of WindingGrid::add().
+    /// Whether any are in a square as of WindingGrid::add(). Elsewhere some may be.
     bool anyInSquare(int cell) const { return inSquare_[static_cast<std::size_t>(cell)] != 0; }
 
     /// The crowded cell with an index, row * side + column; null if that cell isn't crowded.
@@ -166,16 +167,18 @@ bool FaceBound::holds(const Part& part, int depth) {
             places.forEach(row, left, right,
                            [&](Crowded& cell) { cell.segments.push_back(part.segments[i]); });
         };
+        // One test that is nearly always false, whatever the place.
         const int place = placeOf[i];
+        if (!places.anyInSquare(place >= 0 ? place : WindingGrid::inSquare(place))) continue;
         if (place >= 0) {
             if (Crowded* const cell = places.at(place)) cell->segments.push_back(part.segments[i]);
-        } else if (place != WindingGrid::elsewhere) {
-            if (places.anyInSquare(WindingGrid::inSquare(place)))
-                grid.forEachSpan(part.segments[i], put);
-        } else if (const auto around = grid.cellsAround(part.segments[i]);
-                   around && places.anyAmong(*around)) {
-            grid.forEachSpan(part.segments[i], put);
+            continue;
         }
+        if (place == grid.elsewhere()) {
+            const auto around = grid.cellsAround(part.segments[i]);
+            if (!around || !places.anyAmong(*around)) continue;
+        }
+        grid.forEachSpan(part.segments[i], put);
     }
     for (const FacePolygon& polygon : part.uncertain)
         touched->forEachSpan(polygon.all(), [&](int row, int left, int right) {

@@ -78,7 +78,7 @@ void WindingGrid::add(std::span<const FaceSegment> segments, std::vector<int>& p
         const Ints within = (left > x) & (bottom > y) & (right < x + 1.0f) & (top < y + 1.0f);
         const Ints growth = within & Growths(pieces, rounding, side_).from(x, y);
         const Ints cell = (row << depth_) + column;
-        const Ints only = cell | ~within;
+        const Ints only = (cell & within) | (all(elsewhere()) & ~within);
         std::memcpy(&places[i], &only, sizeof(only));
         for (std::size_t lane = 0; lane < lanes; ++lane) {
             cells_[static_cast<std::size_t>(cell[lane])].growth += growth[lane];
@@ -87,7 +87,7 @@ void WindingGrid::add(std::span<const FaceSegment> segments, std::vector<int>& p
         }
     }
     for (; i < segments.size(); ++i) {
-        places[i] = elsewhere;
+        places[i] = elsewhere();
         across_[across++] = static_cast<std::uint32_t>(i);
     }
     std::size_t k = 0;

@@ -24,12 +24,12 @@ class WindingGrid {
 
     /// Sets `places`, one per segment: the index, row * side() + column, of the only cell that it
     /// may touch; or inSquare(cell), if that is true of a cell with the next ones to the right,
-    /// above, and to the right of that; or `elsewhere`, if it may touch others or none, or if that
+    /// above, and to the right of that; or elsewhere(), if it may touch others or none, or if that
     /// isn't known.
     void add(std::span<const FaceSegment> segments, std::vector<int>& places);
 
-    static constexpr int elsewhere = -1;
-    static constexpr int inSquare(int cell) { return -2 - cell; } ///< its own inverse
+    static constexpr int inSquare(int cell) { return ~cell; } ///< its own inverse
+    int elsewhere() const { return inSquare(side_ * side_); }
     /// `start`: the count just below and to the left of the rectangle's lower left corner. It is
     /// raised by the weights of segments that may be on either side of that corner.
     void sum(int start);

@@ -21,6 +21,10 @@ inline Floats all(float value) {
     return Floats{value, value, value, value};
 }
 
+inline Ints all(std::int32_t value) {
+    return Ints{value, value, value, value};
+}
+
 inline Floats magnitude(Floats value) {
     const Ints withoutSign = {0x7FFFFFFF, 0x7FFFFFFF, 0x7FFFFFFF, 0x7FFFFFFF};
     Ints bits;
