@@ -1,3 +1,4 @@
+#include "src/shadow/layers/face_bound.hpp"
 #include "src/shadow/layers/winding_grid.hpp"
 #include "tests/support/hard_lights.hpp"
 
@@ -10,6 +11,9 @@ using test::Random;
 using Triangle2 = std::array<glm::dvec2, 3>;
 
 constexpr int latticeSide = 32;
+
+/// Distance of a point of the lattice from its floats, if it isn't one of them.
+constexpr double floatError = latticeSide * 0x1p-23;
 
 double area(const Triangle2& t) {
     const glm::dvec2 b = t[1] - t[0], c = t[2] - t[0];
@@ -38,8 +42,10 @@ std::vector<FaceSegment> boundaryOf(const std::vector<Triangle2>& triangles) {
     for (const Triangle2& t : triangles)
         for (std::size_t i = 0; i < 3; ++i) {
             const glm::dvec2 a = t[i], b = t[(i + 1) % 3];
+            const glm::vec2 from(a), to(b);
             // Left of an edge is inside.
-            segments.push_back(a.y <= b.y ? FaceSegment{a, b, -1} : FaceSegment{b, a, 1});
+            segments.push_back(from.y <= to.y ? FaceSegment{from, to, -1}
+                                              : FaceSegment{to, from, 1});
         }
     return segments;
 }
@@ -66,8 +72,8 @@ bool isNextToAnEdge(const std::vector<Triangle2>& triangles, const glm::dvec2& p
 WindingGrid filled(const Outline& outline, int depth, double error,
                    const std::vector<FaceSegment>& segments, int start) {
     WindingGrid grid(outline, depth, error);
-    for (const FaceSegment& segment : segments)
-        grid.add(segment);
+    std::vector<int> places;
+    grid.add(segments, places);
     grid.sum(start);
     return grid;
 }
@@ -142,9 +148,9 @@ TEST(WindingGrid, CellsAreDividedWithTheirOwnSegmentsAlone) {
                 corner = 0.1 * corner + 0.7;
         const std::vector<FaceSegment> segments = boundaryOf(triangles);
         const Outline outline{0.7, 0.7 + 0.1 * latticeSide, 0.7, 0.7 + 0.1 * latticeSide};
-        const WindingGrid grid = filled(outline, 3, 0.0, segments, 0);
+        const WindingGrid grid = filled(outline, 3, floatError, segments, 0);
         expectBounds(grid, triangles, random);
-        expectFinerBounds(grid, 0.0, segments, triangles, random);
+        expectFinerBounds(grid, floatError, segments, triangles, random);
     }
 }
 
@@ -168,6 +174,101 @@ TEST(WindingGrid, BoundsHoldForAnyPlaceWithinTheError) {
         expectBounds(grid, triangles, random);
         expectFinerBounds(grid, error, segments, triangles, random);
     }
+}
+
+/// Segments of any length and direction, many of them along or next to rows and columns of cells.
+std::vector<FaceSegment> randomSegments(Random& random, int count) {
+    std::vector<FaceSegment> segments;
+    const auto coordinate = [&](double near) {
+        const double at = near + random.magnitude(-9, 0) * random.uniform(-1, 1);
+        return static_cast<float>(random.below(3) == 0 ? std::round(8.0 * at) / 8.0 : at);
+    };
+    while (static_cast<int>(segments.size()) < count) {
+        const double x = random.uniform(-0.1, 1.1), y = random.uniform(-0.1, 1.1);
+        glm::vec2 from(coordinate(x), coordinate(y)), to(coordinate(x), coordinate(y));
+        if (random.below(8) == 0) to.x = from.x;
+        if (random.below(8) == 0) to.y = from.y;
+        if (from.y > to.y) std::swap(from, to);
+        segments.push_back({from, to, random.below(2) == 0 ? -1 - random.below(3) : 2});
+    }
+    return segments;
+}
+
+// A single segment is counted by itself.
+TEST(WindingGrid, FourSegmentsAtOnceCountAsOneByOne) {
+    Random random(5);
+    for (int round = 0; round < 400; ++round) {
+        const Outline outline{0.0, 1.0, 0.0, 1.0};
+        const int depth = random.below(6);
+        const double error = random.magnitude(-9, -2);
+        const std::vector<FaceSegment> segments = randomSegments(random, 97);
+        const WindingGrid together = filled(outline, depth, error, segments, 0);
+        WindingGrid apart(outline, depth, error);
+        std::vector<int> places;
+        for (const FaceSegment& segment : segments)
+            apart.add({&segment, 1}, places);
+        apart.sum(0);
+        for (int row = 0; row < together.side(); ++row)
+            for (int column = 0; column < together.side(); ++column) {
+                ASSERT_EQ(together.corner(row, column), apart.corner(row, column));
+                ASSERT_EQ(together.bound(row, column), apart.bound(row, column));
+            }
+    }
+}
+
+TEST(WindingGrid, SegmentsTouchNoCellsBesideTheirPlaces) {
+    Random random(6);
+    int only = 0, inSquares = 0;
+    for (int round = 0; round < 100; ++round) {
+        WindingGrid grid({0.0, 1.0, 0.0, 1.0}, 1 + random.below(5), random.magnitude(-9, -2));
+        const std::vector<FaceSegment> segments = randomSegments(random, 96);
+        std::vector<int> places;
+        grid.add(segments, places);
+        for (std::size_t i = 0; i < segments.size(); ++i) {
+            const int place = places[i];
+            if (place == grid.elsewhere()) continue;
+            const bool isOnly = place >= 0;
+            ++(isOnly ? only : inSquares);
+            const int first = isOnly ? place : WindingGrid::inSquare(place);
+            const int last = isOnly ? 0 : 1;
+            grid.forEachSpan(segments[i], [&](int row, int left, int right) {
+                ASSERT_GE(row, first / grid.side());
+                ASSERT_LE(row, first / grid.side() + last);
+                ASSERT_GE(left, first % grid.side());
+                ASSERT_LE(right, first % grid.side() + last);
+            });
+        }
+    }
+    EXPECT_GT(only, 1000);
+    EXPECT_GT(inSquares, 1000);
+}
+
+/// The most triangles found at any point of a fine lattice.
+int mostFound(const std::vector<Triangle2>& triangles) {
+    int most = 0;
+    for (double x = 0.13; x < latticeSide; x += 0.25)
+        for (double y = 0.11; y < latticeSide; y += 0.25)
+            most = std::max(most, countAt(triangles, {x, y}));
+    return most;
+}
+
+TEST(FaceBound, NoLimitBelowTheTruthHolds) {
+    Random random(7);
+    int shown = 0;
+    for (int round = 0; round < 60; ++round) {
+        const std::vector<Triangle2> triangles = latticeTriangles(random, 20 + 2 * round);
+        FaceChain face;
+        face.segments = boundaryOf(triangles);
+        const Outline filledOutline{-0.1, latticeSide + 0.2, -0.1, latticeSide + 0.3};
+        const int truth = mostFound(triangles);
+        for (const int limit : {truth - 1, truth, truth + 1, truth + 3}) {
+            FaceBound bound(static_cast<std::size_t>(limit));
+            if (!bound.holds(face, filledOutline, 0)) continue;
+            ++shown;
+            EXPECT_GE(bound.most(), truth) << limit;
+        }
+    }
+    EXPECT_GT(shown, 60);
 }
 
 // The grid's purpose: a triangle's cells have its count, and a long edge touches few of them.
@@ -197,7 +298,7 @@ TEST(WindingGrid, ASegmentTouchesNoCellOutsideOfItsRowsAndColumns) {
         if (random.below(3) == 0) to = from + 0.01 * (to - from);
         if (random.below(5) == 0) to.y = from.y;
         if (from.y > to.y) std::swap(from, to);
-        const FaceSegment segment{from, to, 1};
+        const FaceSegment segment{glm::vec2(from), glm::vec2(to), 1};
         const auto cells = grid.cellsAround(segment);
         without += cells ? 0 : 1;
         grid.forEachSpan(segment, [&](int row, int left, int right) {

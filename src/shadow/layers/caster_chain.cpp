@@ -14,10 +14,16 @@ namespace {
 /// Room around boxes for rays in double, as a share of the coordinates.
 constexpr double rayRoom = 1e-6;
 
-/// The facing of a record's triangle, without branches: nothing predicts them.
-int facingOf(const std::vector<std::int8_t>& facings, PlaneOf plane) {
-    const int negated = plane.negated() ? 1 : 0;
-    return (facings[plane.cap()] ^ -negated) + negated;
+/// Fills in the facings of a cluster's triangles as PlaneOf::bits names them: each and its
+/// opposite.
+void addSigned(const std::vector<std::int8_t>& facings, const RecordRange& caps,
+               std::vector<std::int8_t>& signedFacings) {
+    const std::int8_t* const from = facings.data();
+    std::int8_t* const to = signedFacings.data();
+    for (std::uint32_t cap = caps.first; cap < caps.end(); ++cap) {
+        to[2 * cap] = from[cap];
+        to[2 * cap + 1] = static_cast<std::int8_t>(-from[cap]);
+    }
 }
 
 /// Appends without branches: each edge is overwritten by the next unless its weight isn't 0.
@@ -30,10 +36,13 @@ class EdgeAppender {
         for (std::uint32_t first = records.first; first < records.end(); first += atOnce) {
             const std::uint32_t end = std::min(first + atOnce, records.end());
             if (edges_.size() < size_ + atOnce) edges_.resize(2 * size_ + atOnce);
+            ChainEdge* next = edges_.data() + size_;
             for (std::uint32_t i = first; i < end; ++i) {
-                edges_[size_] = {i, weightOf(i)};
-                size_ += edges_[size_].weight != 0 ? 1 : 0;
+                const int weight = weightOf(i);
+                *next = {i, weight};
+                next += weight != 0 ? 1 : 0;
             }
+            size_ = static_cast<std::size_t>(next - edges_.data());
         }
     }
     /// Call this last.
@@ -99,15 +108,25 @@ void CasterChain::look(const LightInBatch& light, const CasterReach& reach,
     const PlanePairShadow& shadow = *shadow_;
     facings_.find(light, facings);
     seen.uncertain.clear();
+    if (seen.signedFacings.size() < 2 * facings.size())
+        seen.signedFacings.resize(2 * facings.size());
+    const std::int8_t* const signedOf = seen.signedFacings.data();
+    const auto* const ofPair = shadow.pairPlanes.data();
+    const PlaneOf* const ofSingle = shadow.singlePlanes.data();
     EdgeAppender pairs(seen.pairs), singles(seen.singles);
+    seen.clusters.clear();
     for (const ShadowCluster& cluster : shadow.clusters) {
         if (!reach.mayHold(cluster.bounds, light)) continue;
-        pairs.append(cluster.pairs, [&](std::uint32_t i) {
-            const auto& [plane0, plane1] = shadow.pairPlanes[i];
-            return facingOf(facings, plane0) - facingOf(facings, plane1);
+        seen.clusters.push_back(&cluster);
+        addSigned(facings, cluster.caps, seen.signedFacings);
+    }
+    for (const ShadowCluster* const of : seen.clusters) {
+        const ShadowCluster& cluster = *of;
+        pairs.append(cluster.pairs, [=](std::uint32_t i) {
+            return signedOf[ofPair[i][0].bits] - signedOf[ofPair[i][1].bits];
         });
         singles.append(cluster.singles,
-                       [&](std::uint32_t i) { return facingOf(facings, shadow.singlePlanes[i]); });
+                       [=](std::uint32_t i) { return signedOf[ofSingle[i].bits]; });
         forUncertain(facings, cluster.caps, [&](std::uint32_t cap) {
             if (shadow.caps[cap].casts()) seen.uncertain.push_back(cap);
         });

@@ -26,6 +26,9 @@ struct CasterReach {
 struct SeenCasters {
     std::vector<ChainEdge> pairs, singles;
     std::vector<std::uint32_t> uncertain; ///< casting caps with facing 0
+    // Scratch.
+    std::vector<const ShadowCluster*> clusters{}; ///< within reach
+    std::vector<std::int8_t> signedFacings{};     ///< their facings, by PlaneOf::bits
 };
 
 /// The boundary of a batch's triangles, each signed by the side from which a light sees it.

@@ -12,7 +12,7 @@ namespace {
 
 // Depths of grids: a face's first one, and those of crowded cells.
 constexpr int coarsest = 4, finest = 6, leastFiner = 1, mostFiner = 3;
-constexpr std::size_t segmentsPerCell = 32; ///< in a grid with the right depth
+constexpr std::size_t segmentsPerCell = 16; ///< in a grid with the right depth
 constexpr int deepest = 14;                 ///< most halvings of a face's filled part
 
 // Segments and polygons in crowded cells, from which on dividing costs more than bounding by
@@ -48,10 +48,16 @@ class CrowdedPlaces {
   public:
     CrowdedPlaces(std::vector<Crowded>& cells, int side)
         : cells_(cells), side_(side), at_(static_cast<std::size_t>(side * side), -1),
-          before_(static_cast<std::size_t>((side + 1) * (side + 1)), 0) {
-        for (std::size_t i = 0; i < cells.size(); ++i)
-            at_[static_cast<std::size_t>(cells[i].row * side + cells[i].column)] =
-                static_cast<int>(i);
+          before_(static_cast<std::size_t>((side + 1) * (side + 1)), 0),
+          inSquare_(static_cast<std::size_t>(side * side + 1), 0) {
+        inSquare_.back() = 1;
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            const auto [row, column] = std::pair(cells[i].row, cells[i].column);
+            at_[static_cast<std::size_t>(row * side + column)] = static_cast<int>(i);
+            for (int r = std::max(row - 1, 0); r <= row; ++r)
+                for (int c = std::max(column - 1, 0); c <= column; ++c)
+                    inSquare_[static_cast<std::size_t>(r * side + c)] = 1;
+        }
         for (int row = 0; row < side; ++row)
             for (int column = 0; column < side; ++column)
                 before_[corner(row + 1, column + 1)] =
@@ -68,13 +74,20 @@ class CrowdedPlaces {
                0;
     }
 
+    /// Whether any are in a square as of WindingGrid::add(). Elsewhere some may be.
+    bool anyInSquare(int cell) const { return inSquare_[static_cast<std::size_t>(cell)] != 0; }
+
+    /// The crowded cell with an index, row * side + column; null if that cell isn't crowded.
+    Crowded* at(int index) const {
+        const int crowded = at_[static_cast<std::size_t>(index)];
+        return crowded < 0 ? nullptr : &cells_[static_cast<std::size_t>(crowded)];
+    }
+
     /// Calls use(cell) with the crowded cells among [left, right] of a row.
     template <class Use>
     void forEach(int row, int left, int right, Use use) const {
-        for (int column = left; column <= right; ++column) {
-            const int crowded = at_[static_cast<std::size_t>(row * side_ + column)];
-            if (crowded >= 0) use(cells_[static_cast<std::size_t>(crowded)]);
-        }
+        for (int column = left; column <= right; ++column)
+            if (Crowded* const cell = at(row * side_ + column)) use(*cell);
     }
 
   private:
@@ -86,6 +99,7 @@ class CrowdedPlaces {
     int side_;
     std::vector<int> at_;     ///< index in cells_; -1: not crowded
     std::vector<int> before_; ///< by corner: number of crowded cells below and to the left of it
+    std::vector<std::uint8_t> inSquare_; ///< by cell: whether the square from it has crowded cells
 };
 
 } // namespace
@@ -93,16 +107,17 @@ class CrowdedPlaces {
 Outline filledPart(const FaceChain& face, const LightView& view) {
     if (face.segments.empty() && face.uncertain.empty()) return {};
     const double end = view.directional ? INFINITY : beyondFace;
+    const glm::dvec2 least = face.frame.to(glm::dvec2(-end)), most = face.frame.to(glm::dvec2(end));
     Outline part = face.reached;
-    const auto widen = [&](double& low, double& high) {
+    const auto widen = [&](double& low, double& high, double first, double last) {
         const double extent = high - low;
         const double room =
             leastRoom * std::max(std::abs(low), std::abs(high)) + 4.0 * face.error + 1e-200;
-        low = std::max(low - roomBelow * extent - room, -end);
-        high = std::min(high + roomAbove * extent + room, end);
+        low = std::max(low - roomBelow * extent - room, first);
+        high = std::min(high + roomAbove * extent + room, last);
     };
-    widen(part.u0, part.u1);
-    widen(part.v0, part.v1);
+    widen(part.u0, part.u1, least.x, most.x);
+    widen(part.v0, part.v1, least.y, most.y);
     return part;
 }
 
@@ -119,10 +134,8 @@ bool FaceBound::holds(const FaceChain& face, const Outline& part, int start) {
 
 bool FaceBound::holds(const Part& part, int depth) {
     WindingGrid grid(part.outline, depth, error_);
-    std::vector<int> cellOf; // by segment
-    cellOf.reserve(part.segments.size());
-    for (const FaceSegment& segment : part.segments)
-        cellOf.push_back(grid.add(segment));
+    std::vector<int> placeOf; // by segment
+    grid.add(part.segments, placeOf);
     grid.sum(part.start);
     std::optional<TouchGrid> touched;
     if (!part.uncertain.empty()) {
@@ -154,11 +167,18 @@ bool FaceBound::holds(const Part& part, int depth) {
             places.forEach(row, left, right,
                            [&](Crowded& cell) { cell.segments.push_back(part.segments[i]); });
         };
-        if (cellOf[i] >= 0)
-            put(cellOf[i] / side, cellOf[i] % side, cellOf[i] % side);
-        else if (const auto around = grid.cellsAround(part.segments[i]);
-                 around && places.anyAmong(*around))
-            grid.forEachSpan(part.segments[i], put);
+        // One test that is nearly always false, whatever the place.
+        const int place = placeOf[i];
+        if (!places.anyInSquare(place >= 0 ? place : WindingGrid::inSquare(place))) continue;
+        if (place >= 0) {
+            if (Crowded* const cell = places.at(place)) cell->segments.push_back(part.segments[i]);
+            continue;
+        }
+        if (place == grid.elsewhere()) {
+            const auto around = grid.cellsAround(part.segments[i]);
+            if (!around || !places.anyAmong(*around)) continue;
+        }
+        grid.forEachSpan(part.segments[i], put);
     }
     for (const FacePolygon& polygon : part.uncertain)
         touched->forEachSpan(polygon.all(), [&](int row, int left, int right) {

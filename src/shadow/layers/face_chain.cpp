@@ -2,13 +2,18 @@
 
 #include "preprocess/base/prefetch.hpp"
 #include "src/shadow/geometry/vectors.hpp"
+#include "src/shadow/layers/sun_rays.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
+#include <optional>
 
 namespace edgeshade {
 namespace {
+
+using namespace silhouette;
 
 /// Share of a face's half side to which segments are cut: beyond the face, so that rounding takes
 /// nothing from it.
@@ -18,11 +23,17 @@ constexpr double faceCut = 1.001;
 /// reliable place on a face; rounding of a point between two corners.
 constexpr double leastDistance = 0x1p-18, mixRounding = 0x1p-50;
 
+/// Rounding of a coordinate in [-1, 1] to floats.
+constexpr double placeRounding = 0x1p-24;
+
 /// Draws the edges and triangles of one batch.
 class BatchDrawing {
   public:
-    BatchDrawing(const LightView& view, const RaysOfBatch& rays, std::vector<FaceChain>& faces)
+    /// `box`: around all points.
+    BatchDrawing(const LightView& view, const RaysOfBatch& rays, const Box& box,
+                 std::vector<FaceChain>& faces)
         : view_(view), rays_(rays), faces_(faces) {
+        if (view.directional) sunRays_.emplace(rays, box);
         nearest_.fill(view.directional ? 1.0 : INFINITY);
         for (std::size_t face = 0; face < faces.size(); ++face) {
             // A point of the chain is to the left of a counter-clockwise triangle's edges. A
@@ -36,12 +47,10 @@ class BatchDrawing {
     /// `Record`: PairRecord or SingleRecord.
     template <class Record>
     void addEdges(const std::vector<ChainEdge>& edges, const std::vector<Record>& records) {
-        constexpr std::size_t ahead = 16;
-        for (std::size_t i = 0; i < edges.size(); ++i) {
-            if (i + ahead < edges.size()) prefetch(records[edges[i + ahead].record]);
-            const Record& record = records[edges[i].record];
-            addEdge(rays_.to(record.a), rays_.to(record.b), edges[i].weight);
-        }
+        if (view_.directional) return addToSun(edges, records);
+        forEachEdge(edges, records, [&](const Record& record, int weight) {
+            addEdge(rays_.to(record.a), rays_.to(record.b), weight);
+        });
     }
 
     void addUncertain(const std::array<glm::dvec3, 3>& corners) {
@@ -74,14 +83,50 @@ class BatchDrawing {
     void addError() {
         for (std::size_t face = 0; face < faces_.size(); ++face) {
             const double error = 3.0 * rays_.rounding / nearest_[face];
-            faces_[face].error =
-                std::isfinite(error) ? std::max(faces_[face].error, error) : INFINITY;
+            addError(error, faces_[face]);
         }
+        if (sunRays_) addError(3.0 * sunRays_->rounding(), faces_[0]);
     }
 
   private:
+    template <class Record, class Use>
+    static void forEachEdge(const std::vector<ChainEdge>& edges, const std::vector<Record>& records,
+                            Use use) {
+        constexpr std::size_t ahead = 16;
+        for (std::size_t i = 0; i < edges.size(); ++i) {
+            if (i + ahead < edges.size()) prefetch(records[edges[i + ahead].record]);
+            use(records[edges[i].record], edges[i].weight);
+        }
+    }
+
+    template <class Record>
+    void addToSun(const std::vector<ChainEdge>& edges, const std::vector<Record>& records) {
+        FaceChain& face = faces_[0];
+        if (edges.empty()) return;
+        Floats low = all(INFINITY), high = all(-INFINITY);
+        std::size_t size = face.segments.size();
+        face.segments.resize(size + edges.size());
+        forEachEdge(edges, records, [&](const Record& record, int weight) {
+            const Floats ends = sunRays_->to(record.a, record.b);
+            low = lesser(ends, low);
+            high = greater(ends, high);
+            // Without a branch, as nothing predicts it.
+            const int down = ends[1] > ends[3];
+            const Floats turned{ends[2], ends[3], ends[0], ends[1]};
+            const Floats upward = all(ends[1]) > all(ends[3]) ? turned : ends;
+            FaceSegment& segment = face.segments[size++];
+            std::memcpy(&segment, &upward, sizeof(upward));
+            segment.weight = turn_[0] * weight * (1 - 2 * down);
+        });
+        face.reached.add({std::min(low[0], low[2]), std::max(high[0], high[2]),
+                          std::min(low[1], low[3]), std::max(high[1], high[3])});
+    }
+
+    static void addError(double error, FaceChain& face) {
+        face.error = std::isfinite(error) ? std::max(face.error, error) : INFINITY;
+    }
+
     void addEdge(const glm::dvec3& a, const glm::dvec3& b, int weight) {
-        if (view_.directional) return put(0, glm::dvec2(a), glm::dvec2(b), weight);
         const int face = faceAround(a);
         if (face >= 0 && face == faceAround(b))
             return project(static_cast<std::size_t>(face), onFace(face, a), onFace(face, b),
@@ -136,9 +181,9 @@ class BatchDrawing {
         // Without a branch, as nothing predicts it.
         const std::array<glm::dvec2, 2> ends{from, to};
         const int down = from.y > to.y;
-        face.segments.push_back({ends[static_cast<std::size_t>(down)],
-                                 ends[static_cast<std::size_t>(1 - down)],
-                                 turn_[of] * weight * (1 - 2 * down)});
+        face.drawn.push_back({ends[static_cast<std::size_t>(down)],
+                              ends[static_cast<std::size_t>(1 - down)],
+                              turn_[of] * weight * (1 - 2 * down)});
         Outline& reached = face.reached;
         reached.u0 = std::min({reached.u0, from.x, to.x});
         reached.u1 = std::max({reached.u1, from.x, to.x});
@@ -153,32 +198,31 @@ class BatchDrawing {
     const LightView& view_;
     const RaysOfBatch& rays_;
     std::vector<FaceChain>& faces_;
+    std::optional<SunRays> sunRays_;  ///< of a directional light
     std::array<int, 6> turn_{};       ///< by face: sign of an upward edge's weight
     std::array<double, 6> nearest_{}; ///< by face: least depth of a segment's end
 };
 
 } // namespace
 
-RaysOfBatch::RaysOfBatch(const LightView& view, const glm::dmat4& worldFromBatch, double size)
-    : linear(worldFromBatch), offset(glm::dvec3(worldFromBatch[3]) - view.position),
-      mirrors(glm::determinant(linear) < 0.0) {
-    const glm::dvec3 place(worldFromBatch[3]);
-    if (view.directional) {
-        const glm::dmat3 axes =
-            glm::transpose(glm::dmat3(view.across, view.upward, glm::dvec3(0.0)));
-        linear = axes * linear;
-        offset = glm::dvec3(glm::dot(view.across, place), glm::dot(view.upward, place), 1.0);
-    }
-    double largest = 0.0;
-    for (glm::length_t i = 0; i < 3; ++i)
-        largest += largestComponent(glm::dvec3(worldFromBatch[i]));
-    const double light = view.directional ? 0.0 : largestComponent(view.position);
-    rounding = 0x1p-48 * (largest * size + largestComponent(place) + light);
+void settle(FaceChain& face) {
+    if (face.drawn.empty() && face.uncertain.empty()) return;
+    face.frame = FaceFrame::around(face.reached);
+    for (const DrawnSegment& drawn : face.drawn)
+        face.segments.push_back({glm::vec2(face.frame.to(drawn.from)),
+                                 glm::vec2(face.frame.to(drawn.to)), drawn.weight});
+    for (FacePolygon& polygon : face.uncertain)
+        for (std::size_t i = 0; i < polygon.count; ++i)
+            polygon.corners[i] = face.frame.to(polygon.corners[i]);
+    const glm::dvec2 low = face.frame.to({face.reached.u0, face.reached.v0});
+    const glm::dvec2 high = face.frame.to({face.reached.u1, face.reached.v1});
+    face.reached = {low.x, high.x, low.y, high.y};
+    face.error = face.error * face.frame.scale + 3.0 * placeRounding;
 }
 
 void drawChain(const LightView& view, const RaysOfBatch& rays, const CasterChain& chain,
                const SeenCasters& seen, std::vector<FaceChain>& faces) {
-    BatchDrawing drawing(view, rays, faces);
+    BatchDrawing drawing(view, rays, chain.bounds(), faces);
     drawing.addEdges(seen.pairs, chain.shadow().pairs);
     drawing.addEdges(seen.singles, chain.shadow().singles);
     for (const std::uint32_t cap : seen.uncertain) {

@@ -1,32 +1,42 @@
 #pragma once
 
 #include "src/shadow/layers/caster_chain.hpp"
-#include "src/shadow/lights/light_view.hpp"
+#include "src/shadow/layers/rays_of_batch.hpp"
 
 #include <vector>
 
 namespace edgeshade {
 
-/// An edge of the casters' chain on a light's face (docs/method.md, C48), upwards: from.y <= to.y.
+/// An edge of the casters' chain in a face's frame (docs/method.md, C48), upwards: from.y <= to.y.
 struct FaceSegment {
-    glm::dvec2 from, to;
+    glm::vec2 from, to;
     int weight; ///< a point just to its right counts this many triangles more than one to its left
 };
 
+/// The same on a point light's face itself.
+struct DrawnSegment {
+    glm::dvec2 from, to;
+    int weight;
+};
+
 /// The casters' chain on one face of a light. It is complete for directions within the face, with a
-/// margin of a thousandth.
+/// margin of a thousandth. All coordinates are in the face's frame.
 struct FaceChain {
+    FaceFrame frame;
     std::vector<FaceSegment> segments;
+    std::vector<DrawnSegment> drawn; ///< a point light's segments until settle()
     /// Triangles whose facing isn't certain, which aren't in the chain.
     std::vector<FacePolygon> uncertain;
     int everywhere = 0; ///< number of further ones, too near to the light to be placed
     Outline reached;    ///< outline of segments and polygons
-    double error = 0.0; ///< the largest distance from a segment to its exact place, in units of the
-                        ///< face; not finite if unknown
+    double error = 0.0; ///< the largest distance from a segment to its exact place; not finite if
+                        ///< unknown
 
     /// Keeps its memory.
     void clear() {
+        frame = {};
         segments.clear();
+        drawn.clear();
         uncertain.clear();
         everywhere = 0;
         reached = {};
@@ -34,22 +44,13 @@ struct FaceChain {
     }
 };
 
-/// The affine map from a batch's space to LightView's rays.
-struct RaysOfBatch {
-    RaysOfBatch(const LightView& view, const glm::dmat4& worldFromBatch, double size);
-
-    /// Always the same doubles for the same point: the edges of a vertex meet there.
-    glm::dvec3 to(const glm::vec3& point) const { return linear * glm::dvec3(point) + offset; }
-
-    glm::dmat3 linear;
-    glm::dvec3 offset;
-    double rounding; ///< of each component, for points with coordinates up to `size`
-    bool mirrors;    ///< the batch's transform reverses winding
-};
-
-/// Draws onto the faces of `view` what a light sees of a batch.
+/// Draws onto the faces of `view` what a light sees of a batch. A directional light's face has its
+/// frame already, which the rays have entered. Call settle() after the last batch.
 void drawChain(const LightView& view, const RaysOfBatch& rays, const CasterChain& chain,
                const SeenCasters& seen, std::vector<FaceChain>& faces);
+
+/// Gives a point light's face the frame of all that is drawn on it.
+void settle(FaceChain& face);
 
 /// The number of triangles among `caps` with certain facings on a ray from a point light. Those
 /// that may be on either side of the ray count too. `facings`: of all of the batch's caps.

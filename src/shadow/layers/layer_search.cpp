@@ -11,7 +11,7 @@ namespace {
 /// A batch that a light may see.
 struct LitBatch {
     const CasterChain* chain;
-    const std::vector<std::int8_t>* facings;
+    std::vector<std::int8_t>* facings;
     LightInBatch light;
     CasterReach reach;
     RaysOfBatch rays;
@@ -38,6 +38,16 @@ CasterReach reachInBatch(const Light& light, const std::vector<glm::dvec4>& plan
     for (const glm::dvec4& plane : planes)
         reach.planes.push_back(plane * worldFromBatch);
     return reach;
+}
+
+/// Lets the rays of a directional light enter the frame around all that it sees.
+void enterFrame(std::vector<LitBatch>& batches, FaceChain& face) {
+    Outline all;
+    for (const LitBatch& of : batches)
+        all.add(of.rays.outlineOf(of.chain->bounds()));
+    face.frame = FaceFrame::around(all);
+    for (LitBatch& of : batches)
+        of.rays.enter(face.frame);
 }
 
 } // namespace
@@ -76,16 +86,21 @@ std::optional<std::size_t> LayerSearch::bySilhouettes(const LayerCasters& caster
         const LightInBatch inBatch = lightInBatch(light, worldFromBatch);
         const CasterReach reach = reachInBatch(light, planes, worldFromBatch);
         if (!reach.mayHold(chain.bounds(), inBatch)) continue;
-        const LitBatch& of = batches.emplace_back(LitBatch{
-            &chain, &facings_[i], inBatch, reach, RaysOfBatch(view, worldFromBatch, chain.size()),
-            glm::inverse(glm::dmat3(worldFromBatch))});
-        chain.look(of.light, of.reach, facings_[i], seen_);
-        drawChain(view, of.rays, chain, seen_, faces_);
+        batches.push_back({&chain, &facings_[i], inBatch, reach,
+                           RaysOfBatch(view, worldFromBatch, chain.size()),
+                           glm::inverse(glm::dmat3(worldFromBatch))});
+    }
+    if (view.directional) enterFrame(batches, faces_[0]);
+    for (LitBatch& of : batches) {
+        of.chain->look(of.light, of.reach, *of.facings, seen_);
+        drawChain(view, of.rays, *of.chain, seen_, faces_);
     }
     FaceBound bound(limit);
     for (std::size_t face = 0; face < faces_.size(); ++face) {
+        if (!view.directional) settle(faces_[face]);
         const Outline part = filledPart(faces_[face], view);
-        const glm::dvec3 start = part.empty() ? somewhere : glm::dvec3(part.u0, part.v0, 1.0);
+        const glm::dvec3 start =
+            part.empty() ? somewhere : glm::dvec3(faces_[face].frame.from({part.u0, part.v0}), 1.0);
         // Nothing is in line with a sun outside of everything.
         const int met = view.directional ? 0 : countAlong(view.faces[face] * start, batches);
         if (!bound.holds(faces_[face], part, met)) return std::nullopt;

@@ -1,111 +1,203 @@
 #include "src/shadow/layers/winding_grid.hpp"
 
+#include "src/shadow/layers/four_pieces.hpp"
+
+#include <cstring>
+
 namespace edgeshade {
 namespace {
 
-/// Cells: a segment that rises by less has no reliable slope.
-constexpr double levelSegment = 1e-9;
+using namespace fours;
 
 /// Rounding of coordinates on a face, relative to the largest.
-constexpr double faceRounding = 0x1p-46;
+constexpr double faceRounding = 0x1p-19;
 
-/// By how much the count grows from a corner to a place in its cell, at most, where a segment
-/// touches the cell.
+/// The least whole number that isn't below `cells`, which isn't below 0.
+int ceiling(float cells) {
+    const int below = static_cast<int>(cells);
+    return below + (static_cast<float>(below) < cells ? 1 : 0);
+}
+
+/// The same as Growths, of one segment.
 class Growth {
   public:
-    Growth(const glm::dvec2& from, const glm::dvec2& to, int weight, double rounding, int side)
+    Growth(const glm::vec2& from, const glm::vec2& to, int weight, float rounding, int side)
         : from_(from), along_(to - from), toRight_(std::max(weight, 0)),
           toLeft_(std::max(-weight, 0)) {
-        const double length = std::abs(along_.x) + along_.y;
-        near_ = (2.0 * rounding + 0x1p-44 * (length + side)) * length;
+        const float length = std::abs(along_.x) + along_.y;
+        near_ = (2.0f * rounding + sideRounding * (length + static_cast<float>(side))) * length;
     }
 
     /// Above 0 to its left, and below 0 to its right, in multiples of its length.
-    double sideOf(int row, int column) const {
-        return along_.x * (row - from_.y) - along_.y * (column - from_.x);
+    float sideOf(int row, int column) const {
+        return along_.x * (static_cast<float>(row) - from_.y) -
+               along_.y * (static_cast<float>(column) - from_.x);
     }
-    /// The change of sideOf() to the next column.
-    double step() const { return -along_.y; }
-    bool isNear(double side) const { return std::abs(side) <= near_; }
-    int from(double side) const {
+    bool isNear(float side) const { return std::abs(side) <= near_; }
+    int from(float side) const {
         // Without branches, as nothing predicts them.
         const int left = side > near_, right = side < -near_;
         return left * toRight_ + right * toLeft_ + (1 - left - right) * 2 * (toRight_ + toLeft_);
     }
 
   private:
-    glm::dvec2 from_, along_;
+    glm::vec2 from_, along_;
     int toRight_, toLeft_; ///< growth when it is crossed in that direction
-    double near_;          ///< a corner with this side may be on either side
+    float near_;           ///< a corner with this side may be on either side
 };
 
 } // namespace
 
 WindingGrid::WindingGrid(const Outline& part, int depth, double error)
-    : side_(1 << depth), low_(part.u0, part.v0),
+    : depth_(depth), side_(1 << depth), low_(part.u0, part.v0),
       perUnit_(side_ / (part.u1 - part.u0), side_ / (part.v1 - part.v0)),
       border_(static_cast<std::size_t>(side_), 0),
-      cells_(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_)) {
+      cells_(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_) + 2 * side_ + 2) {
     const double size = 1.0 + std::max({std::abs(part.u0), std::abs(part.u1), std::abs(part.v0),
                                         std::abs(part.v1)});
+    const double perUnit = std::max(side_ / (part.u1 - part.u0), side_ / (part.v1 - part.v0));
     rounding_ =
-        2.0 * levelSegment + 2.0 * (error + faceRounding * size) * std::max(perUnit_.x, perUnit_.y);
+        static_cast<float>(2.0 * levelSegment + 2.0 * (error + faceRounding * size) * perUnit);
 }
 
-double WindingGrid::Piece::slope() const {
-    const double rise = to.y - from.y;
-    return rise > levelSegment ? (to.x - from.x) / rise : 0.0;
-}
-
-int WindingGrid::add(const FaceSegment& segment) {
-    const Piece piece = inCells(segment);
-    if (misses(piece)) return -1;
-    const double left = piece.left - rounding_, bottom = piece.from.y - rounding_;
-    if (left > 0.0 && bottom > 0.0) {
-        const int column = static_cast<int>(left), row = static_cast<int>(bottom);
-        if (piece.right + rounding_ < column + 1 && piece.to.y + rounding_ < row + 1) {
-            const Growth growth(piece.from, piece.to, piece.weight, rounding_, side_);
-            cells_[at(row, column)].growth += growth.from(growth.sideOf(row, column));
-            return static_cast<int>(at(row, column));
+void WindingGrid::add(std::span<const FaceSegment> segments, std::vector<int>& places) {
+    places.resize(segments.size());
+    across_.resize(segments.size());
+    std::size_t across = 0, i = 0;
+    const Floats rounding = all(rounding_), last = all(static_cast<float>(side_ - 1));
+    // Without branches, as nothing predicts them.
+    for (; i + lanes <= segments.size(); i += lanes) {
+        const fours::Pieces pieces(
+            {&segments[i], &segments[i + 1], &segments[i + 2], &segments[i + 3]}, low_, perUnit_);
+        const Floats left = lesser(pieces.fromX, pieces.toX) - rounding;
+        const Floats right = greater(pieces.fromX, pieces.toX) + rounding;
+        const Floats bottom = pieces.fromY - rounding, top = pieces.toY + rounding;
+        const Ints column = placed(left, last), row = placed(bottom, last);
+        const Floats x = __builtin_convertvector(column, Floats);
+        const Floats y = __builtin_convertvector(row, Floats);
+        const Ints within = (left > x) & (bottom > y) & (right < x + 1.0f) & (top < y + 1.0f);
+        const Ints growth = within & Growths(pieces, rounding, side_).from(x, y);
+        const Ints cell = (row << depth_) + column;
+        const Ints only = (cell & within) | (all(elsewhere()) & ~within);
+        std::memcpy(&places[i], &only, sizeof(only));
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            cells_[static_cast<std::size_t>(cell[lane])].growth += growth[lane];
+            across_[across] = static_cast<std::uint32_t>(i + lane);
+            across += static_cast<std::size_t>(within[lane] + 1);
         }
     }
-    const double slope = piece.slope();
+    for (; i < segments.size(); ++i) {
+        places[i] = elsewhere();
+        across_[across++] = static_cast<std::uint32_t>(i);
+    }
+    std::size_t k = 0;
+    for (; k + lanes <= across; k += lanes)
+        addAcross(segments, &across_[k], places);
+    for (; k < across; ++k)
+        addAcross(inCells(segments[across_[k]]));
+}
+
+void WindingGrid::addAcross(std::span<const FaceSegment> segments, const std::uint32_t* four,
+                            std::vector<int>& places) {
+    const Floats rounding = all(rounding_), end = all(static_cast<float>(side_));
+    const Floats last = end - 1.0f;
+    const fours::Pieces pieces(
+        {&segments[four[0]], &segments[four[1]], &segments[four[2]], &segments[four[3]]}, low_,
+        perUnit_);
+    const Floats least = lesser(pieces.fromX, pieces.toX), most = greater(pieces.fromX, pieces.toX);
+    const Floats left = least - rounding, right = most + rounding;
+    const Floats bottom = pieces.fromY - rounding, top = pieces.toY + rounding;
+    const Ints column = placed(left, last), row = placed(bottom, last);
+    const Floats x = __builtin_convertvector(column, Floats);
+    const Floats y = __builtin_convertvector(row, Floats);
+    // In two rows and columns of cells, away from the rectangle's border.
+    const Ints small = (left > x) & (bottom > y) & (right < x + 2.0f) & (top < y + 2.0f) &
+                       (right < end) & (top < end);
+    const Floats nextX = x + 1.0f, nextY = y + 1.0f;
+    // As Piece::slope(), Piece::at(), addCrossings() and forEachSpan() do.
+    const Floats rise = pieces.toY - pieces.fromY;
+    const Ints steep = rise > levelSegment;
+    const Floats slope = steep ? (pieces.toX - pieces.fromX) / rise : all(0.0f);
+    const Floats height = lesser(greater(nextY, pieces.fromY), pieces.toY);
+    const Floats at = lesser(greater(pieces.fromX + (height - pieces.fromY) * slope, least), most);
+    const Floats atLine =
+        lesser(greater(pieces.fromX + (nextY - pieces.fromY) * slope, least), most);
+    const Ints crosses = small & (pieces.fromY <= nextY) & (nextY < pieces.toY) &
+                         (atLine <= static_cast<float>(side_ - 1));
+    const Ints crossed = ((row + 1) << depth_) + column + 1 - (atLine > nextX);
+    const Floats slack = steep ? rounding * (1.0f + magnitude(slope)) : all(2.0f);
+    const auto reachesLeft = [&](Floats other) {
+        return greater(lesser(at, other) - slack, least) - rounding < nextX;
+    };
+    const auto reachesRight = [&](Floats other) {
+        return lesser(greater(at, other) + slack, most) + rounding >= nextX;
+    };
+    const Ints two = small & (top >= nextY);
+    const Growths growths(pieces, rounding, side_);
+    const Ints lowLeft = small & growths.from(x, y);
+    const Ints lowRight = small & growths.from(nextX, y);
+    const Ints highLeft = two & growths.from(x, nextY);
+    const Ints highRight = two & growths.from(nextX, nextY);
+    const Ints one = ~two;
+    const Ints grow[4] = {lowLeft & (one | reachesLeft(pieces.fromX)),
+                          lowRight &
+                              ((one & (right >= nextX)) | (two & reachesRight(pieces.fromX))),
+                          highLeft & reachesLeft(pieces.toX), highRight & reachesRight(pieces.toX)};
+    const Ints weight = crosses & pieces.weight;
+    const Ints cell = (row << depth_) + column;
+    const auto side = static_cast<std::size_t>(side_);
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+        if (small[lane] == 0) {
+            addAcross(inCells(segments[four[lane]]));
+            continue;
+        }
+        places[four[lane]] = inSquare(cell[lane]);
+        Cell* const here = &cells_[static_cast<std::size_t>(cell[lane])];
+        here[0].growth += grow[0][lane];
+        here[1].growth += grow[1][lane];
+        here[side].growth += grow[2][lane];
+        here[side + 1].growth += grow[3][lane];
+        cells_[static_cast<std::size_t>(crossed[lane])].corner += weight[lane];
+    }
+}
+
+void WindingGrid::addAcross(const Piece& piece) {
+    if (misses(piece)) return;
+    const float slope = piece.slope();
     addCrossings(piece, slope);
     addGrowth(piece, slope);
-    return -1;
 }
 
 /// Corners are at (column + 0, row + 0), and the border on the left at x = -0: what a piece crosses
 /// is decided by the same numbers everywhere, so that the counts are exact for a chain that is bent
 /// by no more than rounding.
-void WindingGrid::addCrossings(const Piece& piece, double slope) {
-    int row = static_cast<int>(std::ceil(std::max(piece.from.y, 0.0)));
-    bool isLeft = piece.from.x < 0.0;
+void WindingGrid::addCrossings(const Piece& piece, float slope) {
+    const float side = static_cast<float>(side_);
+    int row = ceiling(std::clamp(piece.from.y, 0.0f, side));
+    bool isLeft = piece.from.x < 0.0f;
     const auto passBorder = [&](bool left) {
         if (left != isLeft && row > 0)
             border_[static_cast<std::size_t>(row)] += left ? piece.weight : -piece.weight;
         isLeft = left;
     };
-    for (; row < side_ && row < piece.to.y; ++row) {
-        const double x = piece.at(row, slope);
-        passBorder(x < 0.0);
-        if (isLeft || x > side_ - 1) continue;
-        cells_[at(row, static_cast<int>(std::ceil(x)))].corner += piece.weight;
+    for (; row < side_ && static_cast<float>(row) < piece.to.y; ++row) {
+        const float x = piece.at(static_cast<float>(row), slope);
+        passBorder(x < 0.0f);
+        if (isLeft || x > side - 1.0f) continue;
+        cells_[at(row, ceiling(x))].corner += piece.weight;
     }
-    if (row < side_) passBorder(piece.to.x < 0.0);
+    if (row < side_) passBorder(piece.to.x < 0.0f);
 }
 
-void WindingGrid::addGrowth(const Piece& piece, double slope) {
+void WindingGrid::addGrowth(const Piece& piece, float slope) {
     const Growth growth(piece.from, piece.to, piece.weight, rounding_, side_);
     forEachSpan(piece, slope, [&](int row, int left, int right) {
-        double side = growth.sideOf(row, left);
-        Cell* cell = &cells_[at(row, left)];
-        for (int column = left; column <= right; ++column, side += growth.step())
-            cell++->growth += growth.from(side);
+        for (int column = left; column <= right; ++column)
+            cells_[at(row, column)].growth += growth.from(growth.sideOf(row, column));
     });
     // It may pass the first corner on another side than it did in the grid that `start` is from.
-    if (growth.isNear(growth.sideOf(0, 0)) && piece.left < rounding_ && piece.right > -rounding_ &&
-        piece.from.y < rounding_ && piece.to.y > -rounding_)
+    if (piece.left < rounding_ && piece.right > -rounding_ && piece.from.y < rounding_ &&
+        piece.to.y > -rounding_ && growth.isNear(growth.sideOf(0, 0)))
         atStart_ += std::abs(piece.weight);
 }
 
@@ -123,8 +215,9 @@ void WindingGrid::sum(int start) {
 }
 
 Outline WindingGrid::cell(int row, int column) const {
-    const glm::dvec2 low = low_ + glm::dvec2(column, row) / perUnit_;
-    const glm::dvec2 high = low_ + glm::dvec2(column + 1, row + 1) / perUnit_;
+    const glm::dvec2 start(low_), size = 1.0 / glm::dvec2(perUnit_);
+    const glm::dvec2 low = start + glm::dvec2(column, row) * size;
+    const glm::dvec2 high = start + glm::dvec2(column + 1, row + 1) * size;
     return {low.x, high.x, low.y, high.y};
 }
 

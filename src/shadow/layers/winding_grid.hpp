@@ -3,25 +3,33 @@
 #include "src/shadow/layers/face_chain.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace edgeshade {
 
 /// A rectangle on a light's face in equal cells. It bounds how many triangles lines through each
 /// cell meet: the winding number of the chain at the cell's lower left corner, and the most by
-/// which it grows across the edges that touch the cell (docs/method.md, C48). Call add() for all
-/// segments that touch the rectangle, then sum().
+/// which it grows across the edges that touch the cell (docs/method.md, C48). Call add() with all
+/// segments that touch the rectangle, then sum(). It computes in floats, four segments at once.
 class WindingGrid {
   public:
     /// Divides the rectangle, which must have an area, in 2^depth x 2^depth cells. `error`: as of
     /// FaceChain.
     WindingGrid(const Outline& part, int depth, double error);
 
-    /// Returns the index, row * side() + column, of the only cell that the segment may touch; -1 if
-    /// it may touch several or none.
-    int add(const FaceSegment& segment);
+    /// Sets `places`, one per segment: the index, row * side() + column, of the only cell that it
+    /// may touch; or inSquare(cell), if that is true of a cell with the next ones to the right,
+    /// above, and to the right of that; or elsewhere(), if it may touch others or none, or if that
+    /// isn't known.
+    void add(std::span<const FaceSegment> segments, std::vector<int>& places);
+
+    static constexpr int inSquare(int cell) { return ~cell; } ///< its own inverse
+    int elsewhere() const { return inSquare(side_ * side_); }
     /// `start`: the count just below and to the left of the rectangle's lower left corner. It is
     /// raised by the weights of segments that may be on either side of that corner.
     void sum(int start);
@@ -62,66 +70,79 @@ class WindingGrid {
 
     /// A segment in cells, upwards.
     struct Piece {
-        glm::dvec2 from, to;
-        double left, right; ///< least and largest x
+        glm::vec2 from, to;
+        float left, right; ///< least and largest x
         int weight;
 
         /// Horizontal cells per vertical cell; 0 if it is nearly level.
-        double slope() const;
+        float slope() const {
+            const float rise = to.y - from.y;
+            return rise > levelSegment ? (to.x - from.x) / rise : 0.0f;
+        }
         /// Its x at a height between its ends.
-        double at(double y, double slope) const {
+        float at(float y, float slope) const {
             return std::clamp(from.x + (y - from.y) * slope, left, right);
         }
     };
     Piece inCells(const FaceSegment& segment) const {
-        const glm::dvec2 from = (segment.from - low_) * perUnit_;
-        const glm::dvec2 to = (segment.to - low_) * perUnit_;
+        const glm::vec2 from = (segment.from - low_) * perUnit_;
+        const glm::vec2 to = (segment.to - low_) * perUnit_;
         return {from, to, std::min(from.x, to.x), std::max(from.x, to.x), segment.weight};
     }
     bool misses(const Piece& piece) const {
-        const double end = side_ + rounding_;
+        const float end = static_cast<float>(side_) + rounding_;
         return piece.to.y < -rounding_ || piece.from.y > end || piece.right < -rounding_ ||
                piece.left > end;
     }
     template <class Visit>
-    void forEachSpan(const Piece& piece, double slope, Visit visit) const;
-    void addCrossings(const Piece& piece, double slope);
-    void addGrowth(const Piece& piece, double slope);
+    void forEachSpan(const Piece& piece, float slope, Visit visit) const;
+    void addAcross(std::span<const FaceSegment> segments, const std::uint32_t* four,
+                   std::vector<int>& places);
+    void addAcross(const Piece& piece);
+    void addCrossings(const Piece& piece, float slope);
+    void addGrowth(const Piece& piece, float slope);
 
     std::size_t at(int row, int column) const {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(side_) +
                static_cast<std::size_t>(column);
     }
-    int place(double cells) const {
-        return static_cast<int>(std::clamp(cells, 0.0, static_cast<double>(side_ - 1)));
+    int place(float cells) const {
+        return static_cast<int>(std::clamp(cells, 0.0f, static_cast<float>(side_ - 1)));
     }
 
-    int side_;
-    glm::dvec2 low_, perUnit_; ///< its first corner, and cells per unit
-    double rounding_;          ///< distance from a segment to its exact place, in cells
-    int atStart_ = 0;          ///< weights of segments next to the first corner
+    /// Cells: a segment that rises by less has no reliable slope.
+    static constexpr float levelSegment = 0x1p-14f;
+
+    int depth_, side_;
+    glm::vec2 low_, perUnit_; ///< its first corner, and cells per unit
+    float rounding_;          ///< distance from a segment to its exact place, in cells
+    int atStart_ = 0;         ///< weights of segments next to the first corner
     /// By row: how much larger the count to the left of the rectangle is than in the row below.
     std::vector<int> border_;
-    std::vector<Cell> cells_; ///< row by row
+    std::vector<Cell> cells_;           ///< row by row
+    std::vector<std::uint32_t> across_; ///< scratch: segments that may touch several cells, or none
 };
 
 template <class Visit>
-void WindingGrid::forEachSpan(const Piece& piece, double slope, Visit visit) const {
+void WindingGrid::forEachSpan(const Piece& piece, float slope, Visit visit) const {
     const int bottom = place(piece.from.y - rounding_), top = place(piece.to.y + rounding_);
-    if (bottom == top || slope == 0.0) {
+    if (bottom == top || slope == 0.0f) {
         const int left = place(piece.left - rounding_), right = place(piece.right + rounding_);
         for (int row = bottom; row <= top; ++row)
             visit(row, left, right);
         return;
     }
-    const double slack = rounding_ * (1.0 + std::abs(slope));
-    double below = piece.at(std::max<double>(bottom, piece.from.y), slope);
+    const float slack = rounding_ * (1.0f + std::abs(slope));
+    const auto at = [&](int row) {
+        return piece.at(std::clamp(static_cast<float>(row), piece.from.y, piece.to.y), slope);
+    };
+    float below = at(bottom);
     for (int row = bottom; row <= top; ++row) {
-        const double above = piece.at(std::clamp<double>(row + 1, piece.from.y, piece.to.y), slope);
-        const double left = std::max(std::min(below, above) - slack, piece.left);
-        const double right = std::min(std::max(below, above) + slack, piece.right);
+        const float above = at(row + 1);
+        const float left = std::max(std::min(below, above) - slack, piece.left);
+        const float right = std::min(std::max(below, above) + slack, piece.right);
         below = above;
-        if (right < -rounding_ || left > side_ + rounding_) continue;
+        if (right < -rounding_ || left > static_cast<float>(side_) + rounding_) continue;
         visit(row, place(left - rounding_), place(right + rounding_));
     }
 }

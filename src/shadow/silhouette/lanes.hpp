@@ -21,6 +21,10 @@ inline Floats all(float value) {
     return Floats{value, value, value, value};
 }
 
+inline Ints all(std::int32_t value) {
+    return Ints{value, value, value, value};
+}
+
 inline Floats magnitude(Floats value) {
     const Ints withoutSign = {0x7FFFFFFF, 0x7FFFFFFF, 0x7FFFFFFF, 0x7FFFFFFF};
     Ints bits;
@@ -28,6 +32,14 @@ inline Floats magnitude(Floats value) {
     bits &= withoutSign;
     std::memcpy(&value, &bits, sizeof(value));
     return value;
+}
+
+/// Lane by lane; the second where the first is no number.
+inline Floats lesser(Floats a, Floats b) {
+    return a < b ? a : b;
+}
+inline Floats greater(Floats a, Floats b) {
+    return a > b ? a : b;
 }
 
 } // namespace edgeshade::silhouette
