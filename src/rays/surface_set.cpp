@@ -13,6 +13,14 @@ std::vector<Corners> cornersOf(const std::vector<SurfaceTriangle>& triangles) {
     return corners;
 }
 
+std::vector<std::uint8_t> castsOf(const std::vector<SurfaceTriangle>& triangles) {
+    std::vector<std::uint8_t> casts;
+    casts.reserve(triangles.size());
+    for (const SurfaceTriangle& triangle : triangles)
+        casts.push_back(triangle.casts);
+    return casts;
+}
+
 std::vector<std::uint32_t> numbersTo(std::size_t count) {
     std::vector<std::uint32_t> numbers(count);
     std::iota(numbers.begin(), numbers.end(), 0u);
@@ -22,7 +30,7 @@ std::vector<std::uint32_t> numbersTo(std::size_t count) {
 } // namespace
 
 SurfaceSet::SurfaceSet(std::vector<SurfaceTriangle> all)
-    : triangles(std::move(all)), corners(cornersOf(triangles)),
+    : triangles(std::move(all)), corners(cornersOf(triangles)), casts(castsOf(triangles)),
       tree(corners, numbersTo(corners.size())) {}
 
 } // namespace edgeshade::rays

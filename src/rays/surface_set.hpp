@@ -13,8 +13,9 @@ struct SurfaceSet {
     explicit SurfaceSet(std::vector<SurfaceTriangle> all);
 
     std::vector<SurfaceTriangle> triangles;
-    std::vector<Corners> corners; ///< by triangle
-    RayTree tree;                 ///< of all triangles
+    std::vector<Corners> corners;    ///< by triangle
+    std::vector<std::uint8_t> casts; ///< by triangle; close together, as every test asks
+    RayTree tree;                    ///< of all triangles
 };
 
 } // namespace edgeshade::rays
