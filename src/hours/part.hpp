@@ -1,13 +1,11 @@
 #pragma once
 
 #include "src/hours/exposure.hpp"
+#include "src/hours/run_head.hpp"
 #include "src/hours/schedule.hpp"
 
-#include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace edgeshade::hours {
@@ -25,22 +23,11 @@ struct Probe : ProbePoint {
 
 /// Results for some of a run's sun positions; a whole run is part 1 of 1. It holds everything that
 /// pictures and reports are made from. They are therefore the same from a whole run and from merged
-/// parts.
-struct Part {
-    std::size_t number = 1, of = 1; ///< 1 <= number <= of
-    /// The settings requested, as in reports. Includes those that HoursSettings reads.
-    nlohmann::ordered_json settings;
+/// parts. Names are those of the exposure's materials and nodes.
+struct Part : PartNumber, RunHead {
     nlohmann::ordered_json camera; ///< the camera requested, as in reports
-    std::string scene;             ///< a hash of all casters and visible surfaces, 16 digits
-    std::vector<std::string> warnings;
-    std::size_t positionsOfRun = 0;  ///< at most mostPositions
-    std::vector<Position> positions; ///< every of-th position of the run, in order; see
-                                     ///< countOfPart()
-    std::chrono::minutes offset{0};  ///< offset of the clock
     Exposure exposure;
     std::vector<Probe> probes;
-    /// Names of the exposure's materials and nodes, by index in the file.
-    std::map<std::uint32_t, std::string> materials, nodes;
 };
 
 /// The number of a part's positions, of `positions`: those with index number - 1, number - 1 + of,

@@ -138,25 +138,12 @@ Part partFrom(const std::filesystem::path& path, const Json& json) {
     root.requireObject();
     root.requireVersion(versionKey, version);
     Part part;
-    const PartNumber number = partNumberFrom(root);
-    part.of = number.of;
-    part.number = number.number;
-    part.positionsOfRun = number.positionsOfRun;
-    part.scene = root.member("scene").text();
-    const JsonField settings = root.member("settings");
-    settings.requireObject();
-    part.settings = settings.value();
-    part.offset = hoursSettings(settings).offset;
+    static_cast<PartNumber&>(part) = partNumberFrom(root);
+    static_cast<RunHead&>(part) = runHeadFrom(root, part);
     part.camera = root.member("camera").value();
-    root.member("warnings").forEachItem([&](const JsonField& warning) {
-        part.warnings.push_back(warning.text());
-    });
-    part.positions = partPositionsFrom(root, number, part.offset);
     root.member("probes").forEachItem([&](const JsonField& probe) {
         part.probes.push_back(probeOf(probe, part.positions.size()));
     });
-    part.materials = namesFrom(root.member("materials"));
-    part.nodes = namesFrom(root.member("nodes"));
     part.exposure = exposureOf(root, path, part);
     return part;
 }

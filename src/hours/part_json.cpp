@@ -28,6 +28,42 @@ T bitsOf(T value) {
     return value;
 }
 
+/// Names by index; none occurs twice.
+std::map<std::uint32_t, std::string> namesFrom(const JsonField& field) {
+    std::map<std::uint32_t, std::string> names;
+    field.forEachItem([&](const JsonField& item) {
+        const JsonField index = item.member("index");
+        const auto value = static_cast<std::uint32_t>(index.wholeNumber(Exposure::none));
+        if (!names.emplace(value, item.member("name").text()).second)
+            index.fail(" is " + std::to_string(value) + ", which occurs twice");
+    });
+    return names;
+}
+
+/// Positions of the part. `offset`: of the settings' clock.
+std::vector<Position> positionsFrom(const JsonField& root, const PartNumber& part,
+                                    std::chrono::minutes offset) {
+    const JsonField field = root.member("positions");
+    field.requireArray();
+    const std::size_t wanted = countOfPart(part.positionsOfRun, part.number, part.of);
+    if (field.size() != wanted)
+        field.fail(" has " + std::to_string(field.size()) + " items, but part " +
+                   std::to_string(part.number) + " of " + std::to_string(part.of) + " has " +
+                   std::to_string(wanted) + " of " + std::to_string(part.positionsOfRun));
+    std::vector<Position> positions;
+    field.forEachItem([&](const JsonField& item) {
+        Position& position = positions.emplace_back();
+        const JsonField time = item.member("time");
+        const sun::LocalTime read = readAs(time, sun::localTimeFromText);
+        if (read.offset != offset) time.fail(" has a different offset from UTC than the settings");
+        position.time = read.instant;
+        position.azimuth = item.member("azimuth").number();
+        position.altitude = item.member("altitude").number();
+        position.direction = finiteVector(item.member("direction"));
+    });
+    return positions;
+}
+
 } // namespace
 
 template <class T>
@@ -98,17 +134,6 @@ nlohmann::ordered_json namesJson(const std::map<std::uint32_t, std::string>& nam
     return json;
 }
 
-std::map<std::uint32_t, std::string> namesFrom(const JsonField& field) {
-    std::map<std::uint32_t, std::string> names;
-    field.forEachItem([&](const JsonField& item) {
-        const JsonField index = item.member("index");
-        const auto value = static_cast<std::uint32_t>(index.wholeNumber(Exposure::none));
-        if (!names.emplace(value, item.member("name").text()).second)
-            index.fail(" is " + std::to_string(value) + ", which occurs twice");
-    });
-    return names;
-}
-
 PartNumber partNumberFrom(const JsonField& root) {
     PartNumber part;
     const JsonField of = root.member("parts"), number = root.member("part");
@@ -121,27 +146,20 @@ PartNumber partNumberFrom(const JsonField& root) {
     return part;
 }
 
-std::vector<Position> partPositionsFrom(const JsonField& root, const PartNumber& part,
-                                        std::chrono::minutes offset) {
-    const JsonField field = root.member("positions");
-    field.requireArray();
-    const std::size_t wanted = countOfPart(part.positionsOfRun, part.number, part.of);
-    if (field.size() != wanted)
-        field.fail(" has " + std::to_string(field.size()) + " items, but part " +
-                   std::to_string(part.number) + " of " + std::to_string(part.of) + " has " +
-                   std::to_string(wanted) + " of " + std::to_string(part.positionsOfRun));
-    std::vector<Position> positions;
-    field.forEachItem([&](const JsonField& item) {
-        Position& position = positions.emplace_back();
-        const JsonField time = item.member("time");
-        const sun::LocalTime read = readAs(time, sun::localTimeFromText);
-        if (read.offset != offset) time.fail(" has a different offset from UTC than the settings");
-        position.time = read.instant;
-        position.azimuth = item.member("azimuth").number();
-        position.altitude = item.member("altitude").number();
-        position.direction = finiteVector(item.member("direction"));
+RunHead runHeadFrom(const JsonField& root, const PartNumber& part) {
+    RunHead head;
+    head.scene = root.member("scene").text();
+    const JsonField settings = root.member("settings");
+    settings.requireObject();
+    head.settings = settings.value();
+    head.offset = hoursSettings(settings).offset;
+    root.member("warnings").forEachItem([&](const JsonField& warning) {
+        head.warnings.push_back(warning.text());
     });
-    return positions;
+    head.positions = positionsFrom(root, part, head.offset);
+    head.materials = namesFrom(root.member("materials"));
+    head.nodes = namesFrom(root.member("nodes"));
+    return head;
 }
 
 nlohmann::ordered_json partJsonFrom(const std::filesystem::path& path) {

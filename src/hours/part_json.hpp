@@ -31,20 +31,13 @@ glm::dvec3 finiteVector(const JsonField& field);
 
 /// [{"index", "name"}].
 nlohmann::ordered_json namesJson(const std::map<std::uint32_t, std::string>& names);
-/// Names by index; none occurs twice.
-std::map<std::uint32_t, std::string> namesFrom(const JsonField& field);
-
-/// The place of a part in its run.
-struct PartNumber {
-    std::size_t number = 1, of = 1, positionsOfRun = 0;
-};
 
 /// "part", "parts" and "positions_of_run" of a file's root.
 PartNumber partNumberFrom(const JsonField& root);
 
-/// "positions" of a file's root: those of the part. `offset`: of the settings' clock.
-std::vector<Position> partPositionsFrom(const JsonField& root, const PartNumber& part,
-                                        std::chrono::minutes offset);
+/// The head of a file's root: "settings", "scene", "warnings", "positions", those of the part, and
+/// names, of which no index occurs twice. The offset is that of the settings' clock.
+RunHead runHeadFrom(const JsonField& root, const PartNumber& part);
 
 /// The JSON of a part's file, of at most 2 GiB.
 nlohmann::ordered_json partJsonFrom(const std::filesystem::path& path);

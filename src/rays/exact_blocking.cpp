@@ -85,6 +85,11 @@ struct ExactPoint {
 
 bool blocksExactly(const SurfacePoint& point, const Corners* own, const Corners& other,
                    const glm::dvec4& light) {
+    return blockingExactly(point, own, other, light) == Blocking::blocks;
+}
+
+Blocking blockingExactly(const SurfacePoint& point, const Corners* own, const Corners& other,
+                         const glm::dvec4& light) {
     Grid grid;
     grid.add(point.origin);
     grid.add(other);
@@ -101,16 +106,17 @@ bool blocksExactly(const SurfacePoint& point, const Corners* own, const Corners&
         isPoint ? from.w * grid.of(glm::dvec3(light)) - from.xyz : directionOf(glm::dvec3(light));
 
     const Vector normal = triangle.normal();
-    const int facing = dot(normal, towards).sign();
-    if (facing == 0) return false;
     const Integer height = dot(normal, from.w * triangle.a - from.xyz); // w times
-    if (height.sign() != facing) return false;
-    if (isPoint && abs(height) >= abs(dot(normal, towards))) return false;
+    if (height.sign() == 0) return Blocking::inPlane;
+    const int facing = dot(normal, towards).sign();
+    if (facing != height.sign()) return Blocking::misses;
+    if (isPoint && abs(height) >= abs(dot(normal, towards))) return Blocking::misses;
     const auto isOutside = [&](const Vector& start, const Vector& end) {
         return dot(cross(end - start, towards), from.xyz - from.w * start).sign() * facing > 0;
     };
-    return !isOutside(triangle.a, triangle.b) && !isOutside(triangle.b, triangle.c) &&
-           !isOutside(triangle.c, triangle.a);
+    const bool isMet = !isOutside(triangle.a, triangle.b) && !isOutside(triangle.b, triangle.c) &&
+                       !isOutside(triangle.c, triangle.a);
+    return isMet ? Blocking::blocks : Blocking::misses;
 }
 
 int sideExactly(const Corners& triangle, const glm::dvec3& direction) {

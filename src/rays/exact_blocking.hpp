@@ -8,9 +8,17 @@ namespace edgeshade::rays {
 /// the doubles that they are, which must be finite (docs/method.md, C30 and C56). Takes some
 /// microseconds, and allocates.
 
+enum class Blocking {
+    blocks,
+    misses,
+    inPlane, ///< the point is in the triangle's plane, so that it misses light from anywhere
+};
+
 /// Whether a triangle blocks the light of a point: they meet between the two. Triangles in the
 /// plane of the point's own don't, as they meet the light at the point itself. `own`: null: the
 /// point is on no triangle. `light`: homogeneous, w = 0 or 1.
+Blocking blockingExactly(const SurfacePoint& point, const Corners* own, const Corners& other,
+                         const glm::dvec4& light);
 bool blocksExactly(const SurfacePoint& point, const Corners* own, const Corners& other,
                    const glm::dvec4& light);
 

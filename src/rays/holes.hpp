@@ -18,6 +18,9 @@ class Holes {
     /// `isHole`: null: there are none.
     Holes(const Scene& scene, const std::vector<SurfaceTriangle>& triangles, IsHole isHole);
 
+    /// Whether any triangle may have some.
+    bool any() const { return static_cast<bool>(isHole_); }
+
     /// Whether light passes through where the line from `origin` meets a triangle. Those after
     /// `triangles` have no holes.
     bool at(const std::vector<SurfaceTriangle>& triangles, std::uint32_t triangle,

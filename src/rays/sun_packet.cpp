@@ -46,9 +46,27 @@ struct HalfSpace {
     double x, y, z, offset, error;
 };
 
-/// Points that are certainly outside of some half-space, and that are certainly inside of all.
+/// A bit for each point, as wide as a double, so that no vector has to be narrowed.
+constexpr std::array<std::uint64_t, packetSize> laneBits = [] {
+    std::array<std::uint64_t, packetSize> bits{};
+    for (std::size_t i = 0; i < packetSize; ++i)
+        bits[i] = std::uint64_t{1} << i;
+    return bits;
+}();
+
+/// Points of a packet relative to the first one, and the bounds of what is rounded there.
+struct Places {
+    const glm::dvec3& first;
+    const double *x, *y, *z;
+    double reach; ///< largest magnitude of these
+    double error; ///< bound of their errors, by component
+};
+
+/// The points whose light a triangle certainly doesn't block, and certainly blocks.
 struct Outcome {
-    Lanes outside, inside;
+    Lanes misses, meets;
+    bool sided; ///< false: nearly edge-on to the sun, with no certain sign to compare with, so that
+                ///< the points have no meaning
 };
 
 // Compiled for several vector widths; the processor's is taken at run time. The operations are the
@@ -58,13 +76,36 @@ struct Outcome {
 __attribute__((target_clones("avx512f", "avx2", "default")))
 #endif
 Outcome
-outcomeOf(const std::array<HalfSpace, 4>& spaces, const double* x, const double* y,
-          const double* z) {
+outcomeOf(const Corners& corners, const glm::dvec3& sun, double sunSum, const Places& places) {
+    const glm::dvec3 ab = corners[1] - corners[0], bc = corners[2] - corners[1],
+                     ca = corners[0] - corners[2];
+    const glm::dvec3 normal = glm::cross(ab, -ca);
+    const std::array<double, 3> sums = {sumOf(ab), sumOf(bc), sumOf(ca)};
+    const double along = glm::dot(normal, sun);
+    const double alongError = roundings * sums[0] * sums[2] * sunSum + underflow;
+    // The sun comes from the front if `along` is above 0; then a point is outside of an edge where
+    // its determinant is.
+    const double sign = along < 0.0 ? -1.0 : 1.0;
+    const std::array<glm::dvec3, 3> from = {corners[0] - places.first, corners[1] - places.first,
+                                            corners[2] - places.first};
+    const double size =
+        std::max({largestComponent(from[0]), largestComponent(from[1]), largestComponent(from[2])});
+    const double placing = 1.01 * places.error + roundings * (size + places.reach);
+    // Written out: lambdas aren't compiled for the widths.
+    const std::array<glm::dvec3, 3> edges = {ab, bc, ca};
+    std::array<HalfSpace, 4> spaces;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec3 n = sign * glm::cross(edges[i], sun);
+        spaces[i] = {n.x, n.y, n.z, glm::dot(n, from[i]), sums[i] * sunSum * placing + underflow};
+    }
+    const glm::dvec3 n = sign * normal;
+    spaces[3] = {n.x, n.y, n.z, glm::dot(n, from[0]), sums[0] * sums[2] * placing + underflow};
     alignas(64) double highest[packetSize], lowest[packetSize];
     for (std::size_t i = 0; i < packetSize; ++i) {
         double high = -1e300, low = -1e300;
         for (const HalfSpace& space : spaces) {
-            const double value = space.x * x[i] + space.y * y[i] + space.z * z[i] - space.offset;
+            const double value = space.x * places.x[i] + space.y * places.y[i] +
+                                 space.z * places.z[i] - space.offset;
             const double out = value - space.error, in = value + space.error;
             high = out > high ? out : high;
             low = in > low ? in : low;
@@ -72,12 +113,13 @@ outcomeOf(const std::array<HalfSpace, 4>& spaces, const double* x, const double*
         highest[i] = high;
         lowest[i] = low;
     }
-    unsigned outside = 0, inside = 0;
+    std::uint64_t bits = 0; // meets above misses
     for (std::size_t i = 0; i < packetSize; ++i) {
-        outside |= (highest[i] > 0.0 ? 1u : 0u) << i;
-        inside |= (lowest[i] < 0.0 ? 1u : 0u) << i;
+        bits |= highest[i] > 0.0 ? laneBits[i] : 0;
+        bits |= lowest[i] < 0.0 ? laneBits[i] << packetSize : 0;
     }
-    return {static_cast<Lanes>(outside), static_cast<Lanes>(inside)};
+    return {static_cast<Lanes>(bits), static_cast<Lanes>(bits >> packetSize),
+            std::abs(along) > alongError};
 }
 
 } // namespace
@@ -125,6 +167,7 @@ void SunPacket::addSurface(std::size_t point, std::span<const std::uint32_t> slo
         if (size > 0.0) surface.normalInBatch = across / size;
     }
     surface.points |= lane;
+    addCoplanar(at.triangle, lane);
     const int side = sideOf(corners, surface.normal, surface.normalError, at.direction);
     if (side < 0) surface.fromFront |= lane;
     if (side > 0) surface.fromBack |= lane;
@@ -199,9 +242,7 @@ Lanes SunPacket::lit(const SunDirection& sun) {
         set_.tree.visitPacket(
             origins_, sun.scaled, lit_,
             [](void* packet, std::uint32_t triangle) {
-                auto* self = static_cast<SunPacket*>(packet);
-                self->test(triangle);
-                return static_cast<Lanes>(~self->lit_);
+                return static_cast<SunPacket*>(packet)->test(triangle);
             },
             this);
         return lit_;
@@ -217,64 +258,53 @@ Lanes SunPacket::lit(const SunDirection& sun) {
 }
 
 Lanes SunPacket::test(std::uint32_t triangle) {
-    if (triangle == tried_ || !set_.casts(triangle)) return 0;
+    if (triangle == tried_ || set_.casts[triangle] == 0) return 0;
     Lanes open = lit_;
-    for (std::size_t i = 0; i < surfaceCount_; ++i)
-        if (surfaces_[i].triangle == triangle) open &= static_cast<Lanes>(~surfaces_[i].points);
+    for (std::size_t i = 0; i < coplanarCount_; ++i)
+        if (coplanar_[i].triangle == triangle) open &= static_cast<Lanes>(~coplanar_[i].points);
     if (open == 0) return 0;
 
     const Corners& corners = set_.corners[triangle];
-    const glm::dvec3& sun = sun_->scaled;
-    const glm::dvec3 ab = corners[1] - corners[0], bc = corners[2] - corners[1],
-                     ca = corners[0] - corners[2];
-    const glm::dvec3 normal = glm::cross(ab, -ca);
-    const std::array<double, 3> sums = {sumOf(ab), sumOf(bc), sumOf(ca)};
-    const double along = glm::dot(normal, sun);
-    const double alongError = roundings * sums[0] * sums[2] * sunSum_ + underflow;
-    const bool sided = std::abs(along) > alongError;
-    // The sun comes from the front if `along` is above 0; then a point is outside of an edge where
-    // its determinant is.
-    const double sign = along < 0.0 ? -1.0 : 1.0;
-    const std::array<glm::dvec3, 3> from = {corners[0] - places_[0], corners[1] - places_[0],
-                                            corners[2] - places_[0]};
-    const double size =
-        std::max({largestComponent(from[0]), largestComponent(from[1]), largestComponent(from[2])});
-    const double placing = 1.01 * error_ + roundings * (size + reach_);
-    const auto spaceOf = [&](const glm::dvec3& n, std::size_t corner, double error) {
-        return HalfSpace{n.x, n.y, n.z, glm::dot(n, from[corner]), error * placing + underflow};
-    };
-    const auto besideEdge = [&](const glm::dvec3& edge, std::size_t i) {
-        return spaceOf(sign * glm::cross(edge, sun), i, sums[i] * sunSum_);
-    };
-    const auto [misses, meets] = outcomeOf({besideEdge(ab, 0), besideEdge(bc, 1), besideEdge(ca, 2),
-                                            spaceOf(sign * normal, 0, sums[0] * sums[2])},
-                                           x_.data(), y_.data(), z_.data());
+    const auto [misses, meets, sided] =
+        outcomeOf(corners, sun_->scaled, sunSum_,
+                  {places_[0], x_.data(), y_.data(), z_.data(), reach_, error_});
     Lanes blocked = 0;
     if (sided) {
         blocked = open & meets;
         const auto doubtful = static_cast<Lanes>(open & ~meets & ~misses);
         if (doubtful != 0) blocked |= settled(triangle, doubtful);
     } else if (sideExactly(corners, sun_->exact) != 0) {
-        // Nearly edge-on: there is no certain sign to compare with.
         blocked = settled(triangle, open);
     }
     if (blocked == 0) return 0;
-    blocked = withoutHoles(triangle, blocked);
+    if (holes_.any()) blocked = withoutHoles(triangle, blocked);
     lit_ &= static_cast<Lanes>(~blocked);
     if (blocked != 0) blocker_ = triangle;
     return blocked;
 }
 
-Lanes SunPacket::settled(std::uint32_t triangle, Lanes doubtful) const {
+Lanes SunPacket::settled(std::uint32_t triangle, Lanes doubtful) {
     Lanes blocked = 0;
     for (std::size_t i = 0; i < points_.size(); ++i) {
         if ((doubtful >> i & 1) == 0) continue;
         const std::uint32_t own = points_[i].triangle;
-        if (blocksExactly(points_[i], own == SurfacePoint::none ? nullptr : &set_.corners[own],
-                          set_.corners[triangle], glm::dvec4(sun_->exact, 0.0)))
-            blocked |= static_cast<Lanes>(1u << i);
+        const auto lane = static_cast<Lanes>(1u << i);
+        const Blocking blocking =
+            blockingExactly(points_[i], own == SurfacePoint::none ? nullptr : &set_.corners[own],
+                            set_.corners[triangle], glm::dvec4(sun_->exact, 0.0));
+        if (blocking == Blocking::blocks) blocked |= lane;
+        if (blocking == Blocking::inPlane) addCoplanar(triangle, lane);
     }
     return blocked;
+}
+
+void SunPacket::addCoplanar(std::uint32_t triangle, Lanes point) {
+    std::size_t i = 0;
+    while (i < coplanarCount_ && coplanar_[i].triangle != triangle)
+        ++i;
+    if (i == coplanar_.size()) return; // integers will decide again
+    if (i == coplanarCount_) coplanar_[coplanarCount_++] = {triangle, 0};
+    coplanar_[i].points |= point;
 }
 
 Lanes SunPacket::withoutHoles(std::uint32_t triangle, Lanes blocked) const {

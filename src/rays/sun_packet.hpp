@@ -39,14 +39,21 @@ class SunPacket {
         Lanes fromFront, fromBack;
     };
 
+    /// Points in the plane of a triangle, which never blocks their light.
+    struct Coplanar {
+        std::uint32_t triangle;
+        Lanes points;
+    };
+
     void addSurface(std::size_t point, std::span<const std::uint32_t> slots);
     void place(std::size_t point, glm::dvec3& place, double& error) const;
     Lanes facing(const SunDirection& sun) const;
     /// Tests whether a triangle blocks the light of points that are still lit; returns those that
     /// it blocks.
     Lanes test(std::uint32_t triangle);
-    /// Points that a triangle blocks, by integers.
-    Lanes settled(std::uint32_t triangle, Lanes doubtful) const;
+    /// Points that a triangle blocks, by integers. Those in its plane aren't tested with it again.
+    Lanes settled(std::uint32_t triangle, Lanes doubtful);
+    void addCoplanar(std::uint32_t triangle, Lanes point);
     Lanes withoutHoles(std::uint32_t triangle, Lanes blocked) const;
 
     const SurfaceSet& set_;
@@ -55,6 +62,8 @@ class SunPacket {
     std::array<glm::dvec3, packetSize> places_; ///< rounded
     std::array<Surface, packetSize> surfaces_{};
     std::size_t surfaceCount_ = 0;
+    std::array<Coplanar, 2 * packetSize> coplanar_{}; ///< each point's own triangle, and others
+    std::size_t coplanarCount_ = 0;
     RayTree::Origins origins_;
 
     // Places relative to the first one, which the double test works with.

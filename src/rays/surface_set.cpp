@@ -13,6 +13,15 @@ std::vector<Corners> cornersOf(const std::vector<SurfaceTriangle>& triangles) {
     return corners;
 }
 
+/// Of `count` triangles; those after `triangles` only cast.
+std::vector<std::uint8_t> castsOf(const std::vector<SurfaceTriangle>& triangles,
+                                  std::size_t count) {
+    std::vector<std::uint8_t> casts(count, 1);
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+        casts[i] = triangles[i].casts;
+    return casts;
+}
+
 std::vector<std::uint32_t> numbersTo(std::size_t count) {
     std::vector<std::uint32_t> numbers(count);
     std::iota(numbers.begin(), numbers.end(), 0u);
@@ -23,10 +32,10 @@ std::vector<std::uint32_t> numbersTo(std::size_t count) {
 
 SurfaceSet::SurfaceSet(std::vector<SurfaceTriangle> all)
     : triangles(std::move(all)), corners(cornersOf(triangles)),
-      tree(corners, numbersTo(corners.size())) {}
+      casts(castsOf(triangles, corners.size())), tree(corners, numbersTo(corners.size())) {}
 
 SurfaceSet::SurfaceSet(std::vector<SurfaceTriangle> surfaces, std::vector<Corners> all)
     : triangles(std::move(surfaces)), corners(std::move(all)),
-      tree(corners, numbersTo(corners.size())) {}
+      casts(castsOf(triangles, corners.size())), tree(corners, numbersTo(corners.size())) {}
 
 } // namespace edgeshade::rays

@@ -15,13 +15,10 @@ struct SurfaceSet {
     /// only cast and have no holes, which take less memory so. Relative to one place.
     SurfaceSet(std::vector<SurfaceTriangle> surfaces, std::vector<Corners> all);
 
-    bool casts(std::uint32_t triangle) const {
-        return triangle >= triangles.size() || triangles[triangle].casts;
-    }
-
     std::vector<SurfaceTriangle> triangles;
-    std::vector<Corners> corners; ///< by triangle, and of those that only cast
-    RayTree tree;                 ///< of all that have corners
+    std::vector<Corners> corners;    ///< by triangle, and of those that only cast
+    std::vector<std::uint8_t> casts; ///< by corners; close together, as every test asks
+    RayTree tree;                    ///< of all that have corners
 };
 
 } // namespace edgeshade::rays

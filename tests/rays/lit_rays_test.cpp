@@ -1,7 +1,9 @@
 // Points on surfaces whose light is known without tracing.
+#include "src/rays/exact_blocking.hpp"
 #include "src/rays/lit_rays.hpp"
 #include "tests/support/scene_builder.hpp"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace edgeshade {
@@ -63,6 +65,50 @@ TEST(LitRays, ASheetIsDarkFromTheOtherSide) {
 TEST(LitRays, CoincidentSheetsDoNotShadeEachOther) {
     const Scene scene = SceneBuilder().floor(3).floor(4).scene();
     EXPECT_TRUE(isLit(raysOf(scene), SurfacePoint::at({1, 0, 0.5}, up, 0), {0.2, 1, 0.1}));
+}
+
+// More coincident triangles than a packet remembers, from one direction after another.
+TEST(LitRays, ManyCoincidentSheetsShadeNothingFromAnywhere) {
+    SceneBuilder builder;
+    for (int i = 0; i < 40; ++i)
+        builder.floor(3.0f + static_cast<float>(i));
+    const Scene scene = builder.box({0, 1, -1}, {1, 2, 1}).scene();
+    const LitRays rays = raysOf(scene);
+    std::vector<SurfacePoint> points;
+    for (int i = 0; i < 20; ++i)
+        points.push_back(SurfacePoint::at({0.05 * i, 0, 0.5}, up, 0));
+    std::vector<glm::dvec3> directions;
+    for (int i = 0; i < 9; ++i)
+        directions.emplace_back(i % 3 == 0 ? 0.0 : -5.0, 1,
+                                0.01 * i); // every third one hits the box
+    const LitBits bits = rays.lit(points, directions);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        for (std::size_t d = 0; d < directions.size(); ++d)
+            EXPECT_EQ(bits.at(i, d), d % 3 != 0) << i << " " << d;
+}
+
+// Doubles can't tell on which side of an edge the first ray passes; the next one is blocked.
+TEST(LitRays, ATriangleThatIsMissedByAHairBlocksFromElsewhere) {
+    const Scene scene = SceneBuilder().box({0, 1, -1}, {1, 2, 1}).scene();
+    const SurfacePoint point = SurfacePoint::at({-1e-20, 0, 0.3}, up, SurfacePoint::none);
+    const LitBits bits = raysOf(scene).lit(
+        std::vector{point}, std::vector<glm::dvec3>{{0, 1, 0}, {0.1, 1, 0}, {0, 1, 0}});
+    EXPECT_TRUE(bits.at(0, 0));
+    EXPECT_FALSE(bits.at(0, 1));
+    EXPECT_TRUE(bits.at(0, 2));
+}
+
+TEST(ExactBlocking, TellsPointsInATrianglesPlane) {
+    const rays::Corners triangle = {{{0, 1, 0}, {1, 1, 0}, {0, 1, 1}}};
+    const auto blocking = [&](const glm::dvec3& origin, const glm::dvec3& towards) {
+        return rays::blockingExactly({origin}, nullptr, triangle, glm::dvec4(towards, 0.0));
+    };
+    EXPECT_EQ(blocking({0.2, 0, 0.2}, up), rays::Blocking::blocks);
+    EXPECT_EQ(blocking({0.2, 0, 0.2}, -up), rays::Blocking::misses);
+    EXPECT_EQ(blocking({0.2, 0, 0.2}, {1, 0, 0}), rays::Blocking::misses);
+    EXPECT_EQ(blocking({0.2, 1, 0.2}, up), rays::Blocking::inPlane);
+    EXPECT_EQ(blocking({0.2, 1, 0.2}, {1, 0, 0}), rays::Blocking::inPlane);
+    EXPECT_EQ(blocking({0.2, std::nextafter(1.0, 0.0), 0.2}, up), rays::Blocking::blocks);
 }
 
 TEST(LitRays, SeeThroughSurfacesAreLitFromBothSidesAndShadeNothing) {

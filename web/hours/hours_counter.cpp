@@ -17,7 +17,7 @@
 namespace edgeshade::web {
 namespace {
 
-/// Materials of all meshes: one casts, and one doesn't.
+/// Materials of all meshes: one casts, and one doesn't. Others have holes, for a mesh each.
 constexpr std::size_t casting = 0, notCasting = 1;
 
 /// Rays between two reports.
@@ -39,8 +39,17 @@ void append(const glm::dvec3& vector, std::vector<double>& to) {
 
 } // namespace
 
+bool HoursCounter::Clipping::clips(const glm::dvec3& place) const {
+    const auto isBelow = [&](const glm::dvec4& plane) {
+        return glm::dot(glm::dvec3(plane), place) + plane.w < 0.0;
+    };
+    return intersection ? std::all_of(planes.begin(), planes.end(), isBelow)
+                        : std::any_of(planes.begin(), planes.end(), isBelow);
+}
+
 HoursCounter::HoursCounter() {
     scene_.materials.resize(2);
+    clippings_.resize(2);
     scene_.materials[notCasting].alphaMode = AlphaMode::blend;
 }
 
@@ -77,6 +86,15 @@ std::string HoursCounter::setTimes(double latitude, double longitude, std::uintp
     });
 }
 
+std::string HoursCounter::addTexels(std::uintptr_t alpha, std::size_t count, int width,
+                                    int height) {
+    return sentenceOfFailure([&] {
+        const auto* const first = at<std::uint16_t>(alpha);
+        images_.emplace(static_cast<int>(images_.size()),
+                        rays::AlphaImage{width, height, {first, first + count}});
+    });
+}
+
 std::string HoursCounter::addMesh(std::uintptr_t positions, std::size_t floats,
                                   std::uintptr_t indices, std::size_t count) {
     return sentenceOfFailure([&] {
@@ -94,12 +112,58 @@ std::string HoursCounter::addMesh(std::uintptr_t positions, std::size_t floats,
             if (std::all_of(corners, corners + 3, isSound))
                 geometry.indices.insert(geometry.indices.end(), corners, corners + 3);
         }
+        castingMaterial_ = casting;
         geometry.groups = {{casting, 0, static_cast<std::uint32_t>(geometry.indices.size())}};
         Batch batch;
         batch.geometry = CopyOnWrite<Geometry>(std::move(geometry));
         batch.hidden = true;
         scene_.batches.push_back(std::move(batch));
         measured_.push_back(false);
+    });
+}
+
+/// The last mesh's own material as a caster.
+Material& HoursCounter::holedMaterial() {
+    if (castingMaterial_ == casting) {
+        castingMaterial_ = scene_.materials.size();
+        scene_.materials.emplace_back();
+        clippings_.emplace_back();
+        Material& material = scene_.materials.back();
+        material.alphaMode = AlphaMode::mask;
+        material.alphaCutoff = 0.0f; // unless setAlpha() is called
+    }
+    return scene_.materials[castingMaterial_];
+}
+
+std::string HoursCounter::setAlpha(float opacity, float cutoff, int texels,
+                                   std::uintptr_t texcoords, int wrapS, int wrapT, int filter) {
+    return sentenceOfFailure([&] {
+        Material& material = holedMaterial();
+        material.alphaCutoff = cutoff;
+        material.baseColorFactor.a = opacity;
+        MaterialTexture& base = material.of(TextureSlot::baseColor);
+        base.image = texels;
+        base.sampler.wrapS = wrapS;
+        base.sampler.wrapT = wrapT;
+        base.sampler.magFilter = filter;
+        Geometry& geometry = scene_.batches.back().geometry.edit();
+        const std::size_t count = geometry.positions.size();
+        geometry.colors.assign(count, glm::vec4(1.0f));
+        geometry.texcoords.assign(count, glm::vec2(0.0f));
+        if (texels < 0) return;
+        const float* const uv = at<float>(texcoords);
+        for (std::size_t i = 0; i < count; ++i)
+            geometry.texcoords[i] = {uv[2 * i], uv[2 * i + 1]};
+    });
+}
+
+std::string HoursCounter::addClipping(std::uintptr_t planes, std::size_t count, bool intersection) {
+    return sentenceOfFailure([&] {
+        holedMaterial();
+        Clipping clipping{{}, intersection};
+        for (std::size_t i = 0; i < count; ++i)
+            clipping.planes.push_back(glm::make_vec4(at<double>(planes) + 4 * i));
+        clippings_[castingMaterial_].push_back(std::move(clipping));
     });
 }
 
@@ -114,11 +178,33 @@ std::string HoursCounter::place(std::uintptr_t matrix, bool casts, bool measured
         batch.hidden = false;
         batch.worldFromBatch = glm::make_mat4(at<double>(matrix));
         batch.placedBy = static_cast<int>(scene_.batches.size()) - 1;
-        const std::size_t material = casts ? casting : notCasting;
+        const std::size_t material = casts ? castingMaterial_ : notCasting;
         if (batch.geometry->groups.front().material != material)
             batch.geometry.edit().groups.front().material = material;
         measured_.back() = measured;
     });
+}
+
+void HoursCounter::traceBy() {
+    const bool hasHoles = scene_.materials.size() > notCasting + 1;
+    rays::IsHole isHole;
+    if (hasHoles)
+        isHole = [this](const rays::SurfaceTriangle& triangle, double u, double v) {
+            return this->isHole(triangle, u, v);
+        };
+    rays_ = std::make_unique<hours::SensorRays>(scene_, false, hasHoles, std::move(isHole));
+}
+
+bool HoursCounter::isHole(const rays::SurfaceTriangle& triangle, double u, double v) const {
+    const std::vector<Clipping>& clippings = clippings_[triangle.material];
+    if (!clippings.empty()) {
+        const glm::dvec3 place = rays_->origin() + triangle.a + u * (triangle.b - triangle.a) +
+                                 v * (triangle.c - triangle.a);
+        for (const Clipping& clipping : clippings)
+            if (clipping.clips(place)) return true;
+    }
+    const float cutoff = scene_.materials[triangle.material].alphaCutoff;
+    return cutoff > 0.0f && rays::alphaAt(scene_, images_, triangle, u, v) < cutoff;
 }
 
 void HoursCounter::begin(std::size_t count) {
@@ -128,7 +214,7 @@ void HoursCounter::begin(std::size_t count) {
 
 std::string HoursCounter::measureVertices(std::uintptr_t normals) {
     return sentenceOfFailure([&] {
-        rays_ = std::make_unique<hours::SensorRays>(scene_, false, false, nullptr);
+        traceBy();
         const Batch& batch = scene_.batches.back();
         // As rays::surfaceTriangles() places corners, so that vertices lie in their planes.
         const glm::dmat4 place =
@@ -154,7 +240,7 @@ std::string HoursCounter::measureCells(double width, double offset) {
                                 [&](std::uint32_t node, std::uint32_t) { return measured_[node]; },
                                 {width, offset});
         hours::markLeftOut(cells_, hours::solidSurfaces(scene_, false));
-        rays_ = std::make_unique<hours::SensorRays>(scene_, false, false, nullptr);
+        traceBy();
         for (const hours::Cell& cell : cells_.cells) {
             append(cell.point, points_);
             append(cell.normal, normals_);

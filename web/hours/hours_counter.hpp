@@ -2,6 +2,7 @@
 
 #include "src/hours/surfaces/cells.hpp"
 #include "src/hours/surfaces/sensor_rays.hpp"
+#include "src/rays/texture_alpha.hpp"
 
 #include <emscripten/val.h>
 #include <memory>
@@ -12,8 +13,9 @@ namespace edgeshade::web {
 
 /// Counts the sun positions that light points of a page's meshes, as `edgeshade sunhours` does:
 ///
-///     setDays() or setTimes()
-///     for each mesh: addMesh(), then place() for each of its places
+///     setDays() or setTimes(), and addTexels() for each texture that cuts out casters
+///     for each mesh: addMesh(), perhaps setAlpha() and addClipping(), then place() for each of its
+///         places
 ///     measureVertices() or measureCells()
 ///     while (!advance()) report share()
 ///     counts(), and of cells the rest
@@ -33,10 +35,22 @@ class HoursCounter {
     std::string setTimes(double latitude, double longitude, std::uintptr_t seconds,
                          std::size_t count, double minAltitude, double north);
 
+    /// Adds a texture's alpha, `count` numbers of 16 bits as in rays::AlphaImage; the first one has
+    /// the index 0.
+    std::string addTexels(std::uintptr_t alpha, std::size_t count, int width, int height);
+
     /// Adds triangles; place(), called at least once, says where. `positions`: floats; `indices`:
     /// 32 bits each. Triangles that aren't finite are left out.
     std::string addMesh(std::uintptr_t positions, std::size_t floats, std::uintptr_t indices,
                         std::size_t count);
+    /// Cuts the last mesh out as a caster, where `opacity` times its alpha is below `cutoff`.
+    /// `texels`: an index, or -1 for an alpha of 1; `texcoords`: 2 floats for each vertex; wraps
+    /// and filter are GL's enums.
+    std::string setAlpha(float opacity, float cutoff, int texels, std::uintptr_t texcoords,
+                         int wrapS, int wrapT, int filter);
+    /// Clips the last mesh as a caster by `count` planes in the world, as MaskClipping; those
+    /// before clip it too. `planes`: 4 doubles for each.
+    std::string addClipping(std::uintptr_t planes, std::size_t count, bool intersection);
     /// Places the last mesh. `matrix`: 16 doubles, to the world, by columns. `measured`: by
     /// measureCells().
     std::string place(std::uintptr_t matrix, bool casts, bool measured);
@@ -70,10 +84,24 @@ class HoursCounter {
     emscripten::val corners() const;
 
   private:
+    /// Planes in the world, of which any clips, or all together.
+    struct Clipping {
+        std::vector<glm::dvec4> planes;
+        bool intersection = false;
+
+        bool clips(const glm::dvec3& place) const;
+    };
+
+    Material& holedMaterial();
+    void traceBy();
+    bool isHole(const rays::SurfaceTriangle& triangle, double u, double v) const;
     void begin(std::size_t count);
 
     Scene scene_;
-    std::vector<bool> measured_; ///< by batch
+    std::size_t castingMaterial_ = 0; ///< of the last mesh
+    rays::AlphaImages images_;
+    std::vector<std::vector<Clipping>> clippings_; ///< by material
+    std::vector<bool> measured_;                   ///< by batch
     std::vector<glm::dvec3> directions_;
     std::unique_ptr<hours::SensorRays> rays_;
     hours::SurfaceCells cells_;

@@ -129,6 +129,18 @@ class PageMasks {
         return made ? nextTexels_++ : -1;
     }
     void releaseTexels(int texels) { texels_.erase(texels); }
+    /// Their alpha, valid until more memory is taken.
+    emscripten::val texelAlpha(int texels) const {
+        const std::vector<std::uint16_t>& alpha = texels_.at(texels)->alpha;
+        return emscripten::val(emscripten::typed_memory_view(alpha.size(), alpha.data()));
+    }
+    /// Width, height, wraps and filter, as in texelsAt(), each by its index.
+    int texelNumber(int texels, int index) const {
+        const MaskTexels& of = *texels_.at(texels);
+        const std::array<int, 5> numbers = {of.width, of.height, static_cast<int>(of.wrapS),
+                                            static_cast<int>(of.wrapT), of.linear ? 1 : 0};
+        return numbers.at(static_cast<std::size_t>(index));
+    }
     /// `texels`: from addTexels(), or -1 for none.
     bool setAlpha(int id, unsigned texture, bool green, std::uintptr_t numbers, bool cutsOut,
                   int texels) {
@@ -334,6 +346,8 @@ EMSCRIPTEN_BINDINGS(edgeshade_masks) {
         .function("change", &PageMasks::change)
         .function("addTexels", &PageMasks::addTexels)
         .function("releaseTexels", &PageMasks::releaseTexels)
+        .function("texelAlpha", &PageMasks::texelAlpha)
+        .function("texelNumber", &PageMasks::texelNumber)
         .function("setAlpha", &PageMasks::setAlpha)
         .function("setTint", &PageMasks::setTint)
         .function("move", &PageMasks::move)

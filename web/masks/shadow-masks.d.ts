@@ -281,6 +281,8 @@ export class ShadowMasks {
   addMerged(bytes: Uint8Array, meshes: number[], matrices: Matrix[]): number[];
   /** Uploads it ahead of add(), so that no draw() takes long. */
   upload(mesh: number): void;
+  /** A copy of what addTexels() took. */
+  texelsOf(texels: number): MaskTexels;
   /** Frees the number; meshes that were added with it stay. */
   release(mesh: number): void;
 
@@ -290,6 +292,8 @@ export class ShadowMasks {
   change(id: number, mesh: number): void;
   /** Copies a texture's alpha or colours. Returns a number for MaskAlpha and MaskTintTexture. */
   addTexels(texels: MaskTexels): number;
+  /** A copy of what addTexels() took. */
+  texelsOf(texels: number): MaskTexels;
   /** Frees the number; meshes that have these texels keep them. */
   releaseTexels(texels: number): void;
   /** For an alpha-tested mesh, which has no holes until this is set, nor after change(). */

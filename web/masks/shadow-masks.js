@@ -16,7 +16,7 @@ const lightNumbers = 11; // the last is the lookup's id
 
 /** As ShadowMasks::longRestMs. */
 export const longRestMs = 5000;
-const channels = ['alpha', 'green'], identity = [1, 0, 0, 0, 1, 0, 0, 0, 1];
+const channels = ['alpha', 'green'], wraps = ['repeat', 'mirror', 'clamp'], identity = [1, 0, 0, 0, 1, 0, 0, 0, 1];
 
 /** Most lights in one draw(). */
 export const mostLights = 32;
@@ -147,10 +147,16 @@ export class ShadowMasks {
 
   /** Copies a texture's alpha for setAlpha(), or its red, green and blue for setTint(). Returns its number, which releaseTexels() frees. */
   addTexels({ width, height, alpha, wrapS = 'repeat', wrapT = 'repeat', filter = 'linear' }) {
-    const wraps = ['repeat', 'mirror', 'clamp'], numbers = Int32Array.from([width, height, wraps.indexOf(wrapS), wraps.indexOf(wrapT), filter === 'linear' ? 1 : 0, alpha.length]);
+    const numbers = Int32Array.from([width, height, wraps.indexOf(wrapS), wraps.indexOf(wrapT), filter === 'linear' ? 1 : 0, alpha.length]);
     if (numbers.includes(-1) || !['linear', 'nearest'].includes(filter)) throw new Error(`An alpha has the wraps '${wrapS}' and '${wrapT}' and the filter '${filter}': they are repeat, mirror or clamp, and linear or nearest.`);
     if (!(width > 0 && height > 0 && [1, 3].includes(alpha.length / (width * height)))) throw new Error(`An alpha of ${width}x${height} texels has ${alpha.length} numbers.`);
     return withCopies(this.#program, [alpha instanceof Uint16Array ? alpha : Uint16Array.from(alpha), numbers], (addresses) => this.#numberOf(this.#masks.addTexels(...addresses)));
+  }
+
+  /** A copy of what addTexels() took, as its options. */
+  texelsOf(number) {
+    const [width, height, wrapS, wrapT, isLinear] = [0, 1, 2, 3, 4].map((i) => this.#masks.texelNumber(number, i));
+    return { width, height, alpha: this.#masks.texelAlpha(number).slice(), wrapS: wraps[wrapS], wrapT: wraps[wrapT], filter: isLinear ? 'linear' : 'nearest' };
   }
 
   releaseTexels(number) {

@@ -1,8 +1,8 @@
 /** Exact shadows in three.js's WebGPURenderer. */
 
-import type { Camera, Light, Object3D } from 'three';
+import type { Camera, Light, Mesh, Object3D } from 'three';
 import type { Renderer } from 'three/webgpu';
-import type { AlphaTestedCast, TransparentCast } from '../three/exact-shadows.js';
+import type { AlphaTestedCast, CellSunHours, SunHoursOptions, TransparentCast, VertexSunHours } from '../three/exact-shadows.js';
 
 /** Version of the package, "major.minor.patch". */
 export const version: string;
@@ -84,6 +84,13 @@ export class ExactShadows extends EventTarget {
   ready(): Promise<void>;
   /** Resolves when the last picture is final, until the scene changes. Throws any error. */
   readonly settled: Promise<void>;
+  /**
+   * Hours of sun on an object, as in edgeshade/three, under the casters of the last picture: alpha-tested meshes
+   * as alphaTestedCast says, and what groups with clipShadows leave. A mesh whose alpha can't be read, or is
+   * computed by nodes, casts nothing; the console names it.
+   */
+  sunHours(object: Mesh, options: SunHoursOptions & { grid?: undefined }): Promise<VertexSunHours>;
+  sunHours(object: Object3D, options: SunHoursOptions & { grid: number; offset?: number }): Promise<CellSunHours>;
   /** Whether one more frame would look different, though the scene hasn't changed. */
   readonly needsUpdate: boolean;
   /**

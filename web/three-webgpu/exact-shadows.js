@@ -104,11 +104,21 @@ export class ExactShadows extends EventTarget {
 
   /** Resolves once everything in the last update() has its shadows. Throws any error. */
   ready() {
-    return this.#readiness.ready(() => {
-      const follows = Boolean(this.#last && !this.#disposed);
-      if (follows) this.#follow(this.#last);
-      return follows;
-    });
+    return this.#readiness.ready(() => this.#goesOn());
+  }
+
+  /** Counts hours of sun on an object, under the casters of the last update(). */
+  async sunHours(object, options) {
+    await this.#readiness.ready(() => this.#goesOn(), () => !this.#isSettled);
+    const { sunHours } = await import('../three/sun-hours.js');
+    return sunHours(object, this.#last && this.#casters, options);
+  }
+
+  /** Follows the last picture's scene on; returns whether there is any. */
+  #goesOn() {
+    const goesOn = Boolean(this.#last && !this.#disposed);
+    if (goesOn) this.#follow(this.#last);
+    return goesOn;
   }
 
   /** Whether one more frame would look different, though the scene hasn't changed. */

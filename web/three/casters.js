@@ -170,11 +170,17 @@ export class Casters {
     return (this.#parts.last(mesh) ?? [mesh]).every((part) => this.#meshes.get(part)?.ids.length > 0);
   }
 
-  /** {part, whole, places} of the meshes that cast with all of their triangles: a part, the mesh that it is
-   * of, and the elements of its matrices, null where it is flat. */
+  /**
+   * {part, whole, places, alpha, clippings} of the meshes that cast and don't tint: a part, the mesh that it is of, the
+   * elements of its matrices, null where it is flat, what cuts it out, as AlphaTests.of(), or null, and what clips it.
+   */
   get casting() {
-    return [...this.#meshes].filter(([, { casts }]) => casts).map(([part, { whole }]) => ({ part, whole, places: placesOf(part, [0, 0, 0]) }));
+    return [...this.#meshes].filter(([, { casts, alphas }]) => casts || alphas[0]?.cutsOut).map(([part, { whole, alphas, clippings }]) =>
+      ({ part, whole, places: placesOf(part, [0, 0, 0]), alpha: alphas[0]?.cutsOut ? alphas[0] : null, clippings: clippings.filter(({ planes, casts }) => planes.length && !casts) }));
   }
+
+  /** A copy of the texels of such an alpha, as ShadowMasks.addTexels() takes them. */
+  texelsOf = (number) => this.#masks.texelsOf(number);
 
   /** Whether some meshes cast what their alpha leaves, where a light is looked up. */
   get cutsOut() {

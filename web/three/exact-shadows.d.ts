@@ -196,17 +196,21 @@ export class ExactShadows extends EventTarget {
    */
   readonly settled: Promise<void>;
   /**
-   * Hours of sun on an object, under the casters of the last render(): meshes that cast with all of their
-   * triangles, whole. Cutouts and tints cast nothing, and clipping planes cut nothing. Waits for ready();
-   * a worker counts, by rays without rounding, as `edgeshade sunhours` does. Throws an Error with a
-   * sentence.
+   * Hours of sun on an object, under the casters of the last render(). Waits for ready(), and for textures
+   * that are read back; a worker counts, by rays without rounding, as `edgeshade sunhours` does. Throws an
+   * Error with a sentence.
+   *
+   * Casters are those of a light that is looked up: alpha-tested meshes as alphaTestedCast says, with what
+   * their alpha leaves if that is exact, and meshes as clipShadows cuts them. See-through meshes shade if
+   * transparentCast is 'opaque'. With 'tint' they shade nothing: an hour of sun through glass counts.
    *
    * Without `grid`: at each vertex of a mesh, which has normals, stands at one place and isn't bent. A
    * vertex is lit from the side that its normal faces, unless a caster is in the way; faces that meet
    * there aren't.
    *
    * With `grid`: in the middle of cells on the fronts of all visible meshes of the object, at most `grid`
-   * wide and high, in scene units; `offset`: of sensors from their surfaces.
+   * wide and high, in scene units; `offset`: of sensors from their surfaces. Meshes are measured whole, with
+   * their holes and what is clipped.
    */
   sunHours(object: Mesh, options: SunHoursOptions & { grid?: undefined }): Promise<VertexSunHours>;
   sunHours(object: Object3D, options: SunHoursOptions & { grid: number; offset?: number }): Promise<CellSunHours>;

@@ -159,19 +159,21 @@ export class ExactShadows extends EventTarget {
 
   /** Resolves once everything in the last render() has its shadows. Throws any error. */
   ready() {
-    return this.#readiness.ready(() => {
-      const follows = Boolean(this.#last && !this.#disposed && !this.#lost);
-      if (follows) this.#follow(this.#last);
-      return follows;
-    });
+    return this.#readiness.ready(() => this.#goesOn());
   }
 
   /** Counts hours of sun on an object, under the casters of the last render(). */
   async sunHours(object, options) {
-    await this.ready();
-    if (!this.#last) throw new Error('sunHours() needs a render() before it, whose meshes cast.');
+    await this.#readiness.ready(() => this.#goesOn(), () => !this.#isSettled);
     const { sunHours } = await import('./sun-hours.js');
-    return sunHours(object, this.#casters, options);
+    return sunHours(object, this.#last && this.#casters, options);
+  }
+
+  /** Follows the last picture's scene on; returns whether there is any. */
+  #goesOn() {
+    const goesOn = Boolean(this.#last && !this.#disposed && !this.#lost);
+    if (goesOn) this.#follow(this.#last);
+    return goesOn;
   }
 
   /** Whether one more frame would look different, though the scene hasn't changed. */

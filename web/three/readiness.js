@@ -18,13 +18,13 @@ export class Readiness {
 
   /**
    * Resolves once everything has its shadows; throws any error. `follow()` follows the scene's current state, and
-   * returns false when there is nothing to follow.
+   * returns false when there is nothing to follow; `waits()`: whether something hasn't its shadows yet.
    */
-  async ready(follow) {
+  async ready(follow, waits = () => this.#casters()?.pending) {
     await this.#starting;
     while (follow()) {
       await this.#casters()?.settled();
-      if (!this.#casters()?.pending) return;
+      if (!waits()) return;
       await new Promise((resolve) => { setTimeout(resolve); }); // the page goes on between steps
     }
   }

@@ -1,7 +1,8 @@
 // Hours of sun on a host's meshes, counted by rays in a worker of its own. Loaded when they are asked for.
 
 import { BackSide, BufferAttribute, BufferGeometry, Vector3 } from 'three';
-import { isPosed } from './mesh-shape.js';
+import { texcoordsNameOf } from './alpha-tests.js';
+import { isPosed, texcoordsOf } from './mesh-shape.js';
 
 const fail = (sentence) => {
   throw new Error(`sunHours(): ${sentence}.`);
@@ -37,6 +38,27 @@ function meshOf({ positions, indices }, part, places, casts, measured) {
   return { positions: positions.slice(), indices, places: Float64Array.from(sound.flat()), casts, measured };
 }
 
+/** Texture coordinates of a part's vertices where its alpha is sampled. */
+function sampledAt(part, { texcoordTransform: m }, first, count) {
+  const uv = texcoordsOf(part, texcoordsNameOf(part.material)).subarray(2 * first, 2 * (first + count));
+  const sampled = new Float32Array(2 * count); // 0 where the geometry has none
+  for (let i = 0; i < uv.length; i += 2) sampled.set([m[0] * uv[i] + m[3] * uv[i + 1] + m[6], m[1] * uv[i] + m[4] * uv[i + 1] + m[7]], i);
+  return sampled;
+}
+
+/** Casters as the worker takes them; textures' texels go into `texels`, once each. */
+function casterMeshes(casters, measures, texels) {
+  const numbers = new Map(); // index in `texels`, by number
+  return casters.casting.map(({ part, whole, places, alpha, clippings }) => {
+    const shape = casters.shapeOf(part);
+    const mesh = { ...meshOf(shape, part, places, true, measures(whole)), clippings };
+    if (!alpha) return mesh;
+    const { opacity, cutoff, texels: number } = alpha;
+    if (number !== null && !numbers.has(number)) numbers.set(number, texels.push(casters.texelsOf(number)) - 1);
+    return { ...mesh, alpha: { opacity, cutoff, texels: numbers.get(number) ?? -1, texcoords: sampledAt(part, alpha, shape.first, shape.positions.length / 3) } };
+  });
+}
+
 /** The mesh whose vertices are measured. */
 function requireMesh(mesh) {
   const { name, geometry } = mesh;
@@ -57,25 +79,25 @@ function vectorsOf(attribute, count) {
 
 /** All meshes, with those to measure last. */
 function taskOf(object, casters, { grid, offset = 0 }, days) {
+  const texels = [];
   if (grid === undefined) {
     requireMesh(object);
     const { geometry, matrixWorld, material } = object;
-    const meshes = casters.casting.map(({ part, places }) => meshOf(casters.shapeOf(part), part, places, true, false));
+    const meshes = casterMeshes(casters, () => false, texels);
     // Its vertices come last, without triangles, which cast only as its casters do.
     const { position, normal } = geometry.attributes;
     const corners = { positions: vectorsOf(position, position.count), indices: new Uint32Array(), casts: false, measured: false };
     const normals = vectorsOf(normal, position.count);
     if (material.side === BackSide) for (let i = 0; i < normals.length; ++i) normals[i] *= -1;
-    return { days, meshes: [...meshes, { ...corners, places: Float64Array.from(matrixWorld.elements) }], normals };
+    return { days, texels, meshes: [...meshes, { ...corners, places: Float64Array.from(matrixWorld.elements) }], normals };
   }
   if (!isNumber(grid, Number.MIN_VALUE) || !isNumber(offset, 0)) fail('grid must be above 0, and offset 0 or more, in scene units');
   const measured = new Set();
   object.traverseVisible((one) => one.isMesh && measured.add(one));
-  const { casting } = casters;
-  const known = new Set(casting.map(({ whole }) => whole));
+  const known = new Set(casters.casting.map(({ whole }) => whole));
   const others = [...measured].filter((mesh) => !known.has(mesh)).map((mesh) => meshOf(casters.shapeOf(mesh), mesh, placesOf(mesh), false, true));
   if (measured.size === 0) fail('there is no visible mesh to measure');
-  return { days, grid, offset, meshes: [...casting.map(({ part, whole, places }) => meshOf(casters.shapeOf(part), part, places, true, measured.has(whole))), ...others] };
+  return { days, texels, grid, offset, meshes: [...casterMeshes(casters, (whole) => measured.has(whole), texels), ...others] };
 }
 
 /** Places of a mesh that casts nothing. */
@@ -134,9 +156,10 @@ function geometryOf({ normals, faceCounts, cornerCounts, corners }, hours, origi
 }
 
 /**
- * Counts; see ExactShadows.sunHours(). `casters`: the Casters whose meshes cast.
+ * Counts; see ExactShadows.sunHours(). `casters`: the Casters whose meshes cast; null if there was no picture yet.
  */
 export async function sunHours(object, casters, options) {
+  if (!casters) throw new Error('sunHours() needs a render() before it, whose meshes cast.');
   const { signal } = options;
   signal?.throwIfAborted();
   const days = daysOf(options);

@@ -5,9 +5,7 @@
 namespace edgeshade::hours {
 
 /// Light at all cells of a run from some of its sun positions; a whole run is part 1 of 1.
-struct SurfacePart {
-    std::size_t number = 1, of = 1; ///< 1 <= number <= of
-    std::size_t positionsOfRun = 0; ///< at most mostPositions
+struct SurfacePart : PartNumber {
     /// Positions and light are the part's: every of-th position of the run; see countOfPart(). A
     /// part has bits of light alone.
     SurfaceRun run;

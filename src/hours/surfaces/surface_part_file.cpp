@@ -99,9 +99,7 @@ class Checks {
 
 /// Sets the members that follow from a run's settings.
 void setBySettings(const JsonField& field, SurfaceRun& run) {
-    const HoursSettings settings = hoursSettings(field);
-    run.step = settings.step;
-    run.offset = settings.offset;
+    run.step = hoursSettings(field).step;
     const JsonField surfaces = field.member("surfaces");
     run.unit = surfaces.member("unit").positive();
     const JsonField windows = surfaces.member("windows");
@@ -177,25 +175,13 @@ SurfacePart surfacePartFrom(const std::filesystem::path& path, const Json& json)
     root.requireObject();
     root.requireVersion(surfacesKey, surfacesVersion);
     SurfacePart part;
-    const PartNumber number = partNumberFrom(root);
-    part.number = number.number;
-    part.of = number.of;
-    part.positionsOfRun = number.positionsOfRun;
+    static_cast<PartNumber&>(part) = partNumberFrom(root);
     SurfaceRun& run = part.run;
-    run.scene = root.member("scene").text();
+    static_cast<RunHead&>(run) = runHeadFrom(root, part);
     run.version = root.member("version").text();
     run.files = root.member("files").value();
-    const JsonField settings = root.member("settings");
-    settings.requireObject();
-    run.settings = settings.value();
-    setBySettings(settings, run);
-    root.member("warnings").forEachItem([&](const JsonField& warning) {
-        run.warnings.push_back(warning.text());
-    });
-    run.positions = partPositionsFrom(root, number, run.offset);
+    setBySettings(root.member("settings"), run);
     part.beam = beamFrom(root.member("beam"), path, part.positionsOfRun);
-    run.materials = namesFrom(root.member("materials"));
-    run.nodes = namesFrom(root.member("nodes"));
     const CellArrays arrays = arraysFrom(root, path);
     if (arrays.area.empty())
         root.member("cells").member("count").fail(" is 0, but must be 1 or more");
