@@ -272,6 +272,18 @@ TEST(FaceBound, NoLimitBelowTheTruthHolds) {
     EXPECT_GT(shown, 60);
 }
 
+// A small triangle is within two equal ones, whose four sides come from the cell below.
+TEST(FaceBound, ACrowdedCellHasTheSidesFromTheCellBelow) {
+    const auto at = [](double x, double y) { return glm::dvec2(x, y); };
+    const Triangle2 large{at(5.5, 4.6), at(5.9, 5.8), at(5.1, 5.8)};
+    const Triangle2 small{at(5.45, 5.5), at(5.55, 5.5), at(5.5, 5.6)};
+    FaceChain face;
+    face.segments = boundaryOf({large, large, small});
+    const Outline cells{0, 16, 0, 16}; // the grid has as many
+    EXPECT_FALSE(FaceBound(2).holds(face, cells, 0));
+    EXPECT_TRUE(FaceBound(6).holds(face, cells, 0));
+}
+
 // The grid's purpose: a triangle's cells have its count, and a long edge touches few of them.
 TEST(WindingGrid, BoundsAreTightAwayFromEdges) {
     const std::vector<Triangle2> triangles{{glm::dvec2(0.3, 0.2), {31.6, 0.4}, {0.7, 31.8}}};
