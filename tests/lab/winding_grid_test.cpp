@@ -255,13 +255,14 @@ int mostFound(const std::vector<Triangle2>& triangles) {
 TEST(FaceBound, NoLimitBelowTheTruthHolds) {
     Random random(7);
     int shown = 0;
-    for (int round = 0; round < 60; ++round) {
-        const std::vector<Triangle2> triangles = latticeTriangles(random, 20 + 2 * round);
+    for (int round = 0; round < 150; ++round) {
+        const std::vector<Triangle2> triangles = latticeTriangles(random, 1 + round / 5);
         FaceChain face;
         face.segments = boundaryOf(triangles);
         const Outline filledOutline{-0.1, latticeSide + 0.2, -0.1, latticeSide + 0.3};
         const int truth = mostFound(triangles);
         for (const int limit : {truth - 1, truth, truth + 1, truth + 3}) {
+            if (limit < 0) continue;
             FaceBound bound(static_cast<std::size_t>(limit));
             if (!bound.holds(face, filledOutline, 0)) continue;
             ++shown;
@@ -269,6 +270,18 @@ TEST(FaceBound, NoLimitBelowTheTruthHolds) {
         }
     }
     EXPECT_GT(shown, 60);
+}
+
+// A small triangle is within two equal ones, whose four sides come from the cell below.
+TEST(FaceBound, ACrowdedCellHasTheSidesFromTheCellBelow) {
+    const auto at = [](double x, double y) { return glm::dvec2(x, y); };
+    const Triangle2 large{at(5.5, 4.6), at(5.9, 5.8), at(5.1, 5.8)};
+    const Triangle2 small{at(5.45, 5.5), at(5.55, 5.5), at(5.5, 5.6)};
+    FaceChain face;
+    face.segments = boundaryOf({large, large, small});
+    const Outline cells{0, 16, 0, 16}; // the grid has as many
+    EXPECT_FALSE(FaceBound(2).holds(face, cells, 0));
+    EXPECT_TRUE(FaceBound(6).holds(face, cells, 0));
 }
 
 // The grid's purpose: a triangle's cells have its count, and a long edge touches few of them.

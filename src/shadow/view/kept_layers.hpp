@@ -5,9 +5,9 @@
 
 namespace edgeshade {
 
-/// Bounds the layers around lights, and keeps the bounds of lights at rest: one takes 1 to 3 ms for
-/// 150,000 triangles, and some ten times as long where groups are needed. Lights that aren't drawn,
-/// or have no shadow, or whose static casters aren't counted, are skipped.
+/// Bounds the layers around lights, and keeps the bounds of lights at rest: one takes about 1 ms
+/// for 150,000 triangles, and some ten times as long where groups are needed. Lights that aren't
+/// drawn, or have no shadow, or whose static casters aren't counted, are skipped.
 class KeptLayers {
   public:
     /// Fills in FrameLight::layers; those of lights that have not moved since the last call are
