@@ -185,7 +185,7 @@ std::string HoursCounter::place(std::uintptr_t matrix, bool casts, bool measured
     });
 }
 
-void HoursCounter::traceBy() {
+void HoursCounter::startTracing() {
     const bool hasHoles = scene_.materials.size() > notCasting + 1;
     rays::IsHole isHole;
     if (hasHoles)
@@ -214,7 +214,7 @@ void HoursCounter::begin(std::size_t count) {
 
 std::string HoursCounter::measureVertices(std::uintptr_t normals) {
     return sentenceOfFailure([&] {
-        traceBy();
+        startTracing();
         const Batch& batch = scene_.batches.back();
         // As rays::surfaceTriangles() places corners, so that vertices lie in their planes.
         const glm::dmat4 place =
@@ -240,7 +240,7 @@ std::string HoursCounter::measureCells(double width, double offset) {
                                 [&](std::uint32_t node, std::uint32_t) { return measured_[node]; },
                                 {width, offset});
         hours::markLeftOut(cells_, hours::solidSurfaces(scene_, false));
-        traceBy();
+        startTracing();
         for (const hours::Cell& cell : cells_.cells) {
             append(cell.point, points_);
             append(cell.normal, normals_);

@@ -93,7 +93,7 @@ class HoursCounter {
     };
 
     Material& holedMaterial();
-    void traceBy();
+    void startTracing();
     bool isHole(const rays::SurfaceTriangle& triangle, double u, double v) const;
     void begin(std::size_t count);
 

@@ -1,108 +1,16 @@
 // Hours of sun in three.js: the counts of the program's own points and cells, and how calls end.
 
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { useBrowser } from './support/browser.mjs';
-import { program } from './support/native.mjs';
+import { byProgram, cellLines, days, programCells, tools, withTools } from './support/sun_hours.mjs';
 import { openThree } from './support/three.mjs';
 
 const shared = useBrowser();
 
-const days = { place: [48.14, 11.57], date: '2026-03-21', step: 10, utcOffset: '+01:00' };
-const typedDays = ['--place', '48.14,11.57', '--date', '2026-03-21', '--step', '10', '--utc-offset', '+01:00'];
-
-/**
- * In the page: a square with a leaning tower, posts at four places and a canopy that casts nothing, whose
- * numbers are the same in floats and in the program. `meshesOf()` lists their triangles and places.
- */
-function tools() {
-  const { three: THREE, ExactShadows, rendererOf, cameraOf } = window.page;
-  const renderer = rendererOf({ width: 64, height: 48 });
-  const camera = cameraOf({ from: [9, 8, 12], to: [0, 1, 0], fov: 50 }, 64 / 48);
-  const square = () => {
-    const scene = new THREE.Scene();
-    const material = new THREE.MeshStandardMaterial();
-    const add = (name, mesh, casts = true) => {
-      Object.assign(mesh, { name, castShadow: casts, receiveShadow: true });
-      scene.add(mesh);
-      return mesh;
-    };
-    const ground = add('ground', new THREE.Mesh(new THREE.PlaneGeometry(8, 8, 9, 9).rotateX(-Math.PI / 2), material));
-    const tower = add('tower', new THREE.Mesh(new THREE.BoxGeometry(1.5, 4, 1.25, 2, 4, 2).rotateY(0.4).rotateZ(0.15).translate(0.5, 2.25, -1.5), material));
-    const posts = add('posts', new THREE.InstancedMesh(new THREE.BoxGeometry(0.375, 2, 0.25), material, 4));
-    for (let i = 0; i < 4; ++i) posts.setMatrixAt(i, new THREE.Matrix4().makeTranslation(i - 2.25, 1.125, 1.75 - 0.5 * i));
-    const canopy = add('canopy', new THREE.Mesh(new THREE.PlaneGeometry(3, 2, 2, 2).rotateX(-1.2).translate(-1.5, 2.5, 0.75), material), false);
-    scene.add(Object.assign(new THREE.DirectionalLight(), { castShadow: true }));
-    const shadows = new ExactShadows(renderer).add(scene);
-    shadows.render(scene, camera);
-    return { scene, ground, tower, posts, canopy, shadows };
-  };
-  const meshesOf = (scene) => {
-    scene.updateMatrixWorld();
-    return scene.children.filter(({ isMesh }) => isMesh).map((mesh) => ({
-      name: mesh.name, casts: mesh.castShadow,
-      positions: [...mesh.geometry.attributes.position.array], indices: [...mesh.geometry.index.array],
-      places: mesh.isInstancedMesh ? [...mesh.instanceMatrix.array].filter((_, i) => i % 16 > 11 && i % 16 < 15) : mesh.position.toArray(),
-    }));
-  };
-  window.sunHours = { THREE, renderer, square, meshesOf };
-}
-
-/** A .gltf of meshesOf(); what doesn't cast is BLEND there. */
-function gltfOf(meshes) {
-  const bytes = [];
-  const json = { asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: [] }], nodes: [], meshes: [], accessors: [], bufferViews: [],
-    materials: [{ name: 'casts' }, { name: 'casts nothing', alphaMode: 'BLEND' }] };
-  const accessor = (array, type, extra) => {
-    const view = Buffer.from(array.buffer);
-    json.bufferViews.push({ buffer: 0, byteOffset: bytes.reduce((sum, { length }) => sum + length, 0), byteLength: view.length });
-    bytes.push(view);
-    json.accessors.push({ bufferView: json.bufferViews.length - 1, componentType: type === 'VEC3' ? 5126 : 5125,
-      count: type === 'VEC3' ? array.length / 3 : array.length, type, ...extra });
-    return json.accessors.length - 1;
-  };
-  for (const { name, casts, positions, indices, places } of meshes) {
-    const axes = [0, 1, 2].map((c) => positions.filter((_, i) => i % 3 === c));
-    const bounds = { min: axes.map((of) => Math.min(...of)), max: axes.map((of) => Math.max(...of)) };
-    json.meshes.push({ primitives: [{ attributes: { POSITION: accessor(Float32Array.from(positions), 'VEC3', bounds) },
-      indices: accessor(Uint32Array.from(indices), 'SCALAR'), material: casts ? 0 : 1 }] });
-    for (let i = 0; i < places.length; i += 3) {
-      json.scenes[0].nodes.push(json.nodes.length);
-      json.nodes.push({ name, mesh: json.meshes.length - 1, translation: places.slice(i, i + 3) });
-    }
-  }
-  const all = Buffer.concat(bytes);
-  json.buffers = [{ byteLength: all.length, uri: `data:application/octet-stream;base64,${all.toString('base64')}` }];
-  return JSON.stringify(json);
-}
-
-/** Runs `sunhours` on the meshes; `use(path)` reads its files. */
-function byProgram(meshes, words, use) {
-  const folder = mkdtempSync(join(tmpdir(), 'edgeshade-'));
-  const path = (name) => join(folder, name);
-  try {
-    writeFileSync(path('scene.gltf'), gltfOf(meshes));
-    execFileSync(program, ['sunhours', path('scene.gltf'), ...words(path), ...typedDays], { stdio: 'pipe', timeout: 60000 });
-    return use(path);
-  } finally {
-    rmSync(folder, { recursive: true });
-  }
-}
-
-async function withTools(act, given) {
-  const page = await openThree(shared);
-  await page.evaluate(tools);
-  const told = await page.evaluate(([text, value]) => (0, eval)(`(${text})`)(window.sunHours, value), [act.toString(), given]);
-  await shared.check(page);
-  return told;
-}
-
 test('vertices have the hours of sunhours --at', async () => {
-  const told = await withTools(async ({ THREE, square, meshesOf }, options) => {
+  const told = await withTools(shared, async ({ THREE, square, meshesOf }, options) => {
     const { scene, shadows, ...objects } = square();
     const measured = {};
     for (const name of ['ground', 'tower', 'canopy']) {
@@ -137,7 +45,7 @@ test('vertices have the hours of sunhours --at', async () => {
 });
 
 test('cells have the hours of sunhours --surfaces', async () => {
-  const told = await withTools(async ({ square, meshesOf, THREE }, options) => {
+  const told = await withTools(shared, async ({ square, meshesOf, THREE }, options) => {
     const { scene, shadows, ground, canopy, posts } = square();
     const measured = {};
     for (const [name, object] of Object.entries({ ground, canopy, posts })) {
@@ -156,14 +64,7 @@ test('cells have the hours of sunhours --surfaces', async () => {
     return { meshes: meshesOf(scene), measured };
   }, days);
   for (const [name, { area, weighted, points, areas, hours, leftOut, counts }] of Object.entries(told.measured)) {
-    const rows = byProgram(told.meshes, (path) => [path('cells.csv'), '--surfaces', '--grid', '0.5', '--nodes', name],
-      (path) => readFileSync(path('cells.csv'), 'utf8').trim().split('\n').map((line) => line.split(',')));
-    const heads = rows.shift(), of = (row, head) => row[heads.indexOf(head)];
-    // Places of one mesh are in another order there.
-    const sorted = (list) => list.map((one) => one.join(' ')).sort();
-    const mine = sorted(counts.map((count, i) => [...points.slice(3 * i, 3 * i + 3).map((x) => Math.round(x * 1e4)), count, leftOut[i]]));
-    const theirs = sorted(rows.map((row) => [...['x', 'y', 'z'].map((axis) => Math.round(of(row, axis) * 1e4)), Math.round(of(row, 'hours') * 6),
-      ['', 'inside', 'within'].indexOf(of(row, 'left_out'))]));
+    const mine = cellLines(points, counts, leftOut), theirs = programCells(told.meshes, name);
     console.log(name, { cells: mine.length, others: mine.filter((line, i) => line !== theirs[i]).length });
     assert.deepEqual(mine, theirs, name);
     const sum = areas.reduce((total, one) => total + one, 0);
@@ -173,7 +74,7 @@ test('cells have the hours of sunhours --surfaces', async () => {
 });
 
 test('displaced casters shade where they are drawn, and only a grid measures them', async () => {
-  const told = await withTools(async ({ THREE, square }, options) => {
+  const told = await withTools(shared, async ({ THREE, square }, options) => {
     const { scene, ground, canopy, shadows } = square();
     const camera = window.page.cameraOf({ from: [9, 8, 12], to: [0, 1, 0], fov: 50 }, 4 / 3);
     const white = new THREE.DataTexture(new Uint8Array(4).fill(255), 1, 1);
@@ -201,7 +102,7 @@ test('displaced casters shade where they are drawn, and only a grid measures the
 });
 
 test('calls report progress, can be cancelled, and refuse what they cannot measure', async () => {
-  const told = await withTools(async ({ THREE, square, renderer }, options) => {
+  const told = await withTools(shared, async ({ THREE, square, renderer }, options) => {
     const { shadows, ground, posts, tower, scene } = square();
     const told = { shares: [], refused: {} };
     await shadows.sunHours(ground, { ...options, grid: 0.05, onProgress: (share) => told.shares.push(share) });
