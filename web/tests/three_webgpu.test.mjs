@@ -24,14 +24,16 @@ const sun = ['DirectionalLight', [0.5, 1, -0.3]];
 /** Both back ends' pictures of a scene beside the other adapter's. */
 async function backendsDiffer(tools, { scene: name, lights }) {
   const results = {};
-  const { camera, scene, options, place = scene } = await tools.sceneOf(name);
+  const { camera, scene, options, place = scene, tintOf } = await tools.sceneOf(name);
   for (const light of lights) place.add(...tools.lampOf(...light));
+  const lamp = place.getObjectByProperty('isLight', true);
   const pictures = {};
   for (const backend of ['WebGLRenderer', 'WebGL', 'WebGPU']) {
     pictures[backend] = await tools.lookedUp(backend, scene, camera, { lights: lights.length, ...options });
-    const { lookedUp, red, methods } = pictures[backend];
-    const { places, ...counts } = tools.compared(pictures.WebGLRenderer.red, red, options?.at);
-    results[backend] = { lookedUp, methods, ...counts, unexplained: tools.onNoBorder(scene, camera, places).length };
+    const { lookedUp, channels, methods } = pictures[backend];
+    const { places, ...counts } = tools.compared(pictures.WebGLRenderer.channels, channels, options?.at);
+    results[backend] = { lookedUp, methods, ...counts, unexplained: tools.onNoBorder(scene, camera, places).length,
+      ...(tintOf && backend === 'WebGPU' && { rays: tools.comparedTints(channels, options.at, scene, camera, lamp, tintOf) }) };
   }
   return results;
 }
@@ -47,6 +49,7 @@ for (const [name, [lights, most, mostBeyond]] of Object.entries({
   instances: [[['PointLight', [1.5, 2.4, 1.2]]], 0, 0],
   ...(isLong && { panes: [[sun], 0, 0], leaves: [[sun], 0, 0] }), // sheets have both
   sheets: [[['DirectionalLight', [0.1, 1, 0.2]]], 0, 0],
+  stained: [[['PointLight', [0.3, 3.6, 0.4]]], 0, 0],
   'soft yard': [[['PointLight', [0.4, 2.6, 0.7]]], 0, 0],
   lamps: [[['SpotLight', [0.5, 5, 1.5]], ['PointLight', [0.4, 1.6, 0.7]]], 0, 0],
 }))
@@ -54,14 +57,17 @@ for (const [name, [lights, most, mostBeyond]] of Object.entries({
     const { WebGLRenderer, ...others } = await inPage(backendsDiffer, { scene: name, lights });
     console.log(name, { WebGLRenderer, ...others });
     assert.equal(WebGLRenderer.lookedUp, lights.length);
-    const leastGrey = { panes: 2000, sheets: 800, 'soft yard': 100 }[name] ?? 0; // panes tint, and soft shadows have borders
+    const leastGrey = { panes: 2000, sheets: 800, stained: 400, 'soft yard': 100 }[name] ?? 0; // panes tint, and soft shadows have borders
     assert.ok(WebGLRenderer.grey >= leastGrey, `${WebGLRenderer.grey} pixels are grey`);
     assert.ok(WebGLRenderer.shadow > 1000 && WebGLRenderer.lit > 2000, 'the picture has light and shadow');
-    for (const [backend, { lookedUp, differ, beyond, unexplained }] of Object.entries(others)) {
+    for (const [backend, { lookedUp, differ, beyond, unexplained, rays }] of Object.entries(others)) {
       assert.equal(lookedUp, lights.length, backend);
       assert.ok(differ <= most, `${differ} pixels of ${backend} differ`);
       assert.ok(beyond <= mostBeyond, `${beyond} pixels of ${backend} differ that are on no edge`);
       assert.equal(unexplained, 0, `pixels of ${backend} that are on no border by rays either`);
+      if (!rays) continue;
+      assert.ok(rays.compared > 4000 && rays.tinted > 400, `${rays.compared} pixels, ${rays.tinted} of them tinted`);
+      assert.ok(rays.beyond <= 2 && rays.wrong <= 0.04 * rays.compared, `${rays.wrong} of ${rays.compared} pixels are wrong by rays, ${rays.beyond} of them beyond outlines`);
     }
   });
 
@@ -124,7 +130,7 @@ test('views of an ArrayCamera are looked up as by cameras of their own', async (
       const drawn = async (camera, at) => {
         const { scene } = tools.yard();
         scene.add(...tools.lampOf('DirectionalLight', [0.5, 1, -0.3]));
-        return (await tools.lookedUp(backend, scene, camera, { at })).red;
+        return (await tools.lookedUp(backend, scene, camera, { at })).channels[0];
       };
       const single = [await drawn(cameras[0], half), await drawn(cameras[1], half)];
       for (const [i, camera] of cameras.entries()) camera.viewport = new three.Vector4(100 * i, 0, 100, 120);
@@ -237,7 +243,7 @@ test('alpha is read back texel by texel: a map\'s alpha, and the red of an alpha
           const texture = new tools.three.DataTexture(data, width, height);
           texture.needsUpdate = true;
           const alpha = await new Promise((resolve) => {
-            new TexelReading(renderer, { addTexels: (texels) => resolve(texels.alpha) }).of(texture, null, channel);
+            new TexelReading(renderer, { addTexels: (texels) => resolve(texels.alpha) }).of(texture, texture, channel);
             setTimeout(() => resolve([]), 10000);
           });
           wrong[`${backend} ${width} ${channel}`] = alpha.filter((value, i) => value !== 16 * data[4 * i + place]).length + Math.abs(alpha.length - width * height);
@@ -245,6 +251,51 @@ test('alpha is read back texel by texel: a map\'s alpha, and the red of an alpha
     }
     return wrong;
   });
+  for (const [name, count] of Object.entries(wrong)) assert.equal(count, 0, name);
+});
+
+test('products of textures are read back texel by texel, and again when one of them changes', async () => {
+  const wrong = await inPage(async (tools) => {
+    const { TexelReading } = await import('/three-webgpu/texel-reading.js'), { nodeProducts } = await import('/three-webgpu/node-products.js');
+    const { TextureProducts } = await import('/three/texture-products.js');
+    const textureOf = (width, height, seed) => {
+      const texture = new tools.three.DataTexture(Uint8Array.from({ length: 4 * width * height }, (_, i) => (i * i * seed + 7 * i) % 251), width, height);
+      texture.needsUpdate = true; // it samples nearest texels
+      return texture;
+    };
+    const wrong = {};
+    for (const backend of ['WebGL', 'WebGPU']) {
+      let received;
+      const products = new TextureProducts(nodeProducts), reading = new TexelReading(await tools.rendererOf(backend), { addTexels: (texels) => received(texels.alpha), releaseTexels() {} });
+      const textures = [[11, 7, 31], [22, 7, 17], [11, 14, 5]].map((of) => textureOf(...of)); // alphaMap, map, transmissionMap
+      const geometry = new tools.three.PlaneGeometry();
+      const judge = async (name, tints, expected) => {
+        const { texture, uploaded } = products.of(textures, geometry, tints);
+        const numbers = await new Promise((resolve) => {
+          received = resolve;
+          reading.advance();
+          reading.of(texture, uploaded, tints ? 'colour' : 'green');
+          setTimeout(() => resolve([]), 10000);
+        });
+        const { width, height } = texture.image;
+        wrong[`${backend} ${name}`] = Math.abs(numbers.length - (tints ? 3 : 1) * width * height);
+        for (const [i, number] of numbers.entries()) {
+          const layer = Math.floor(i / width / height), row = Math.floor(i / width) % height, column = i % width;
+          const at = ({ image }, k) => image.data[4 * (Math.floor((row + 0.5) / height * image.height) * image.width + Math.floor((column + 0.5) / width * image.width)) + k] / 255;
+          wrong[`${backend} ${name}`] += Math.abs(number - 4080 * expected(textures.map((one) => (k) => at(one, k)), layer)) > 0.6;
+        }
+      };
+      const through = ([alpha, map, transmission], layer) => map(layer) * (1 - 0.8 * alpha(0) * map(3) * (1 - 0.9 * transmission(0)));
+      await judge('alpha', null, ([alpha, map]) => alpha(0) * map(3));
+      await judge('colour', { opacity: 0.8, transmission: 0.9 }, through);
+      await judge('opaque', { opacity: -1, transmission: 0.6 }, ([, map, transmission], layer) => map(layer) * 0.6 * transmission(0));
+      textures[1].image.data.fill(90);
+      textures[1].needsUpdate = true;
+      await judge('changed', { opacity: 0.8, transmission: 0.9 }, through);
+    }
+    return wrong;
+  });
+  assert.equal(Object.keys(wrong).length, 8);
   for (const [name, count] of Object.entries(wrong)) assert.equal(count, 0, name);
 });
 
@@ -272,6 +323,10 @@ test('leaves that move, and those whose alpha is not known, have the shadows of 
     };
     card('target', tools.white({ map: new tools.RenderTarget(4, 4).texture }));
     card('nodes', Object.assign(new tools.MeshBasicNodeMaterial(), { opacityNode: tools.float(0.8) }));
+    const pane = tools.meshOf(new tools.three.PlaneGeometry(0.4, 0.4), Object.assign(new tools.MeshBasicNodeMaterial(), { transparent: true, colorNode: tools.float(0.8) }), [-2, 1.4, 2]);
+    pane.name = 'pane';
+    scene.add(pane);
+    shadows.transparentCast = 'tint';
     for (const since = Date.now(); Date.now() - since < 60000 && shadows.lights[0].method !== 'lookup and movers';) {
       await new Promise((resolve) => { setTimeout(resolve, 100); });
       shadows.render(scene, camera);
@@ -279,15 +334,16 @@ test('leaves that move, and those whose alpha is not known, have the shadows of 
     told.methods.push(shadows.lights[0].method);
     shadows.dispose();
     return told;
-  }, null, [/^Alpha-tested mesh/]);
+  }, null, [/^(Alpha-tested|See-through) mesh/]);
   console.log(told, reports);
   const { none, whole, exact, moving } = told;
   assert.ok(none + 300 < exact && exact + 300 < whole, 'leaves and their holes are many pixels');
   assert.ok(none + 300 < moving && moving + 300 < whole, `${moving} pixels are dark where leaves move`);
   assert.deepEqual(told.methods, ['map', 'lookup and movers']);
-  assert.deepEqual([...reports].filter((text) => text.startsWith('Alpha')).sort(), [
+  assert.deepEqual([...reports].filter((text) => text.includes(' mesh ')).sort(), [
     "Alpha-tested mesh 'nodes' has the shadow of three.js's own map: nodes compute its alpha.",
-    "Alpha-tested mesh 'target' has the shadow of three.js's own map: its texture may change in every frame."]);
+    "Alpha-tested mesh 'target' has the shadow of three.js's own map: its texture may change in every frame.",
+    "See-through mesh 'pane' tints without what nodes compute of it."]);
 });
 
 test('lights have their own shadow nodes and maps\' sizes again afterwards, and bad choices are refused', async () => {

@@ -60,7 +60,7 @@ export class ExactShadows extends EventTarget {
    * their triangles; 'none': nothing. three.js's own maps have holes as three.js draws them.
    */
   alphaTestedCast: NodeAlphaTestedCast;
-  /** As in edgeshade/three; three.js's own maps have no tints. */
+  /** As in edgeshade/three, textures included, but for an alphaMap's red; three.js's own maps have no tints. */
   transparentCast: TransparentCast;
 
   /** Includes everything below an object from now on, including later additions. */

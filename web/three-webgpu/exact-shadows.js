@@ -9,6 +9,7 @@ import { boxAround } from '../three/receiver-box.js';
 import { RestingLights } from '../three/resting-lights.js';
 import { castingLights } from '../three/scene-lights.js';
 import { isSeeThrough } from '../three/see-through.js';
+import { TextureProducts } from '../three/texture-products.js';
 import { ancestorTakesPart, visibleOf } from '../three/visible-objects.js';
 import { Warnings } from '../three/warnings.js';
 import { ShadowMasks } from '../masks/shadow-masks.js';
@@ -16,6 +17,7 @@ import { GroupClippings } from './group-clippings.js';
 import { LightShadows } from './light-shadows.js';
 import { memoryContext } from './memory-context.js';
 import { NodeAlphaTests } from './node-alpha-tests.js';
+import { nodeProducts } from './node-products.js';
 import { requireRelease } from './release.js';
 import { TexelReading } from './texel-reading.js';
 
@@ -39,6 +41,7 @@ export class ExactShadows extends EventTarget {
   #casters = null;
   #resting = null;
   #texels = null;
+  #products = new TextureProducts(nodeProducts);
   #shadows;
   #warnings = new Warnings();
   #lights = []; // {light: three.js's, numbers: MaskLight} of the last picture
@@ -77,7 +80,7 @@ export class ExactShadows extends EventTarget {
     }
     this.#masks = masks;
     this.#texels = new TexelReading(this.#renderer, masks);
-    this.#casters = new Casters(masks, new NodeAlphaTests(this.#texels), new GroupClippings(), this.#warnings, { touched() {}, failed: (message) => this.#tell(message) });
+    this.#casters = new Casters(masks, new NodeAlphaTests(this.#texels, this.#products), new GroupClippings(), this.#warnings, { touched() {}, failed: (message) => this.#tell(message) });
     this.#resting = new RestingLights(masks, this.#mostLookedUp, () => {});
     this.#progress.invalidate();
   }
@@ -186,6 +189,7 @@ export class ExactShadows extends EventTarget {
     if (camera.parent === null && camera.matrixWorldAutoUpdate !== false) camera.updateMatrixWorld();
     const seen = visibleOf(scene, camera, ancestorTakesPart(scene, this.#roots) ? new Set([scene]) : this.#roots);
     this.#texels?.advance();
+    this.#products.advance();
     this.#casters?.follow(seen.meshes, this.alphaTestedCast, this.transparentCast);
     if (seen.lights.some((light) => light.castShadow && this.#radii.get(light) > 0))
       this.#masks?.setReceivers(...boxAround(seen.meshes.filter((mesh) => mesh.receiveShadow && !this.#casters.has(mesh))));

@@ -66,9 +66,9 @@ export class TexelReading {
     return Object.values(this.#kept).flatMap((kept) => [...kept.values()]);
   }
 
-  /** Whether texels are still being read. */
+  /** Whether texels are still being read that the last frame asked for. */
   get waits() {
-    return this.#entries.some(({ version, asked, why }) => !why && version !== asked);
+    return this.#entries.some(({ version, asked, seen, why }) => !why && version !== asked && seen === this.#frame);
   }
 
   /**
