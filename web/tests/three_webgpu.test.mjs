@@ -254,6 +254,29 @@ test('alpha is read back texel by texel: a map\'s alpha, and the red of an alpha
   for (const [name, count] of Object.entries(wrong)) assert.equal(count, 0, name);
 });
 
+test('a page that draws on demand reads all textures, and is settled then', async () => {
+  const told = await inPage(async (tools) => {
+    const scene = tools.sheets(), camera = tools.cameraOf(tools.yardView), renderer = await tools.rendererOf('WebGL', { width: 80, height: 60 });
+    scene.add(...tools.lampOf('DirectionalLight', [0.1, 1, 0.2]));
+    const shadows = tools.shadowsOf(renderer, { transparentCast: 'tint' }).add(scene);
+    let asked = 0, frames = 0;
+    const draw = () => {
+      asked = 0;
+      frames += 1;
+      shadows.render(scene, camera);
+    };
+    shadows.addEventListener('change', () => { asked ||= requestAnimationFrame(draw); });
+    draw();
+    const settled = await Promise.race([shadows.settled.then(() => true), new Promise((resolve) => { setTimeout(resolve, 60000, false); })]);
+    const [{ method }] = shadows.lights;
+    shadows.dispose();
+    return { settled, method, frames };
+  });
+  console.log(told);
+  assert.deepEqual([told.settled, told.method], [true, 'lookup']);
+  assert.ok(told.frames < 12, `${told.frames} frames`);
+});
+
 test('products of textures are read back texel by texel, and again when one of them changes', async () => {
   const wrong = await inPage(async (tools) => {
     const { TexelReading } = await import('/three-webgpu/texel-reading.js'), { nodeProducts } = await import('/three-webgpu/node-products.js');

@@ -172,7 +172,7 @@ export class ExactShadows extends EventTarget {
     this.#casters = null;
     this.#resting?.forget();
     this.#resting = null;
-    this.#texels?.dispose();
+    this.#texels?.forget();
     this.#masks?.dispose();
     this.#masks = null;
   }
@@ -210,7 +210,7 @@ export class ExactShadows extends EventTarget {
   #standing(maps = this.#maps) {
     const shown = maps.map((map) => map && `${map.id} ${map.movers}`);
     const waits = this.#resting.isWaiting(this.#lights) ? lightWait : Infinity;
-    return { state: this.#isSettled ? `${this.#masks.casterState} ${shown}` : '', wait: !this.#isSettled || this.#resting.isUploading ? stepWait : waits };
+    return { state: this.#isSettled ? `${this.#masks.casterState} ${shown}` : `${this.#texels.count}`, wait: !this.#isSettled || this.#resting.isUploading ? stepWait : waits };
   }
 
   /** Reports what stays wrong. */

@@ -1,9 +1,9 @@
 // Alpha and colours of three.js's textures, drawn as materials sample them, at level 0, and read back.
 
-import { NearestFilter, WebGLCoordinateSystem } from 'three';
+import { WebGLCoordinateSystem } from 'three';
 import { abs, Fn, float, int, ivec2, screenCoordinate, select, textureLoad, uint, uniform, vec2, vec4 } from 'three/tsl';
 import { NodeMaterial, QuadMesh, RendererUtils, RenderTarget } from 'three/webgpu';
-import { full, mostChanges, obstacleOf, patience, wrapOf } from '../three/texel-reading.js';
+import { full, TexelBooks } from '../three/texel-books.js';
 import { productAt } from './node-products.js';
 
 /** A texel of a texture, or of a product of several: a node of four numbers. `place`: of its column and row. */
@@ -39,71 +39,24 @@ function pairsOf({ width, height }, uploaded, channel, columns, top) {
   return material;
 }
 
-export class TexelReading {
+export class TexelReading extends TexelBooks {
   #renderer;
-  #masks;
-  #kept = { alpha: new Map(), green: new Map(), colour: new Map() }; // by texture or product: {version, asked, seen, changes, number, opaque, why, isRead}
-  #frame = 0;
-  #readIn = -1; // the last frame in which a reading began
-  #ended = false;
 
   constructor(renderer, masks) {
+    super(masks);
     this.#renderer = renderer;
-    this.#masks = masks;
   }
 
-  /** Whether texels are still being read that the last frame asked for. */
-  get waits() {
-    return Object.values(this.#kept).some((kept) => [...kept.values()].some(({ version, asked, seen, why }) => !why && version !== asked && seen === this.#frame));
+  versionOf({ version }) {
+    return version;
   }
 
-  /**
-   * The texels of a loaded texture, or of a product: what that of edgeshade/three returns. `channel`: as there, but
-   * that a WebGPURenderer takes an alphaMap's red.
-   */
-  of(texture, uploaded, channel) {
-    const kept = this.#kept[channel];
-    if (!kept.has(uploaded)) kept.set(uploaded, { version: null, number: null, opaque: false, isRead: false, changes: 0 });
-    const entry = kept.get(uploaded), asked = texture.version;
-    entry.changes += entry.asked === asked ? 0 : 1;
-    Object.assign(entry, { seen: this.#frame, asked, why: entry.failure ?? (obstacleOf(texture) || (entry.changes > mostChanges ? 'its texture changes too often' : '')) });
-    const { number, version, opaque, why, isRead } = entry;
-    if (!why && version !== asked && !isRead && this.#readIn !== this.#frame) {
-      this.#readIn = this.#frame;
-      this.#read(texture, uploaded, channel, entry);
-    }
-    return { number: version === asked ? number : null, opaque, why };
-  }
-
-  /** Call it once a frame: frees what nothing uses. */
-  advance() {
-    this.#frame += 1;
-    for (const kept of Object.values(this.#kept))
-      for (const [texture, entry] of kept) {
-        if (this.#frame - entry.seen < patience || entry.isRead) continue;
-        if (entry.number !== null) this.#masks.releaseTexels(entry.number);
-        kept.delete(texture);
-      }
-  }
-
-  /** Texels that arrive from now on are dropped. */
-  dispose() {
-    this.#ended = true;
-  }
-
-  async #read(texture, uploaded, channel, entry) {
-    entry.isRead = true;
-    const { version, image, image: { width, height }, wrapS, wrapT, magFilter } = texture;
+  /** `uploaded`: the texture, or a product of nodeProducts. */
+  async read({ image }, uploaded, channel, received) {
     try {
-      const alpha = await this.#numbersOf(image, uploaded, channel);
-      if (this.#ended) return;
-      if (entry.number !== null) this.#masks.releaseTexels(entry.number);
-      const texels = { width, height, alpha, wrapS: wrapOf(wrapS), wrapT: wrapOf(wrapT), filter: magFilter === NearestFilter ? 'nearest' : 'linear' };
-      Object.assign(entry, { version, opaque: alpha.every((value) => value === full), number: this.#masks.addTexels(texels) });
+      received(await this.#numbersOf(image, uploaded, channel));
     } catch (error) {
-      entry.failure = `its texture can't be read: ${error.message}`;
-    } finally {
-      entry.isRead = false;
+      received(null, `its texture can't be read: ${error.message}`);
     }
   }
 

@@ -39,6 +39,6 @@ export function sampledAt(map, uv, rectangle, how) {
   return sum;
 }
 
-/** What planes of a triangle, such as those of its texture coordinates, are where a ray meets it; `behind`: of meeting(). */
+/** Values of planes of a triangle, such as its texture coordinates, where a ray meets it; `behind`: of meeting(). */
 export const valuesAt = (planes, ray, behind, directional) =>
   planes.map((of) => of.x.mul(ray.x).add(of.y.mul(ray.y)).add(of.z.mul(ray.z))).map((value) => (directional ? value : value.div(behind)).toVar());

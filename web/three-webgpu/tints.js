@@ -1,5 +1,5 @@
-// What a tinted triangle lets through, in TSL: as primitiveIsTinted() in shaders_es2/primitive_map_lookup.glsl
-// (docs/method.md, C38).
+// Light that a tinted triangle lets through, in TSL: as primitiveIsTinted() in
+// shaders_es2/primitive_map_lookup.glsl (docs/method.md, C38).
 
 import { float, If, int, Loop, select, uint, vec2, vec3, vec4 } from 'three/tsl';
 import { sampledAt, valuesAt } from './texels.js';

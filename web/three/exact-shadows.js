@@ -369,7 +369,7 @@ export class ExactShadows extends EventTarget {
     const pending = !this.#isSettled;
     const shown = maps.map((map) => map && `${map.slot} ${map.id} ${map.movers}`);
     const waits = this.#resting.isWaiting(this.#lights) ? lightWait : Infinity;
-    return { state: pending ? '' : `${this.#masks.casterState} ${shown}`, wait: pending || this.#resting.isUploading ? stepWait : waits };
+    return { state: pending ? `${this.#texels.count}` : `${this.#masks.casterState} ${shown}`, wait: pending || this.#resting.isUploading ? stepWait : waits };
   }
 
   #followMaps() {

@@ -1,4 +1,4 @@
-// What a WebGLRenderer has uploaded of a texture.
+// Textures of the GL that a WebGLRenderer has uploaded.
 
 /** The WebGLTexture that a renderer uses for the next picture, or null. */
 export function uploadedIn(renderer, texture) {

@@ -342,7 +342,7 @@ export function compared(a, b, { width } = size) {
   return { differ, beyond: places.length, places, shadow, lit, grey };
 }
 
-/** What tintsComparedWithRays() returns of a picture of channelsOf(). */
+/** Result of tintsComparedWithRays() for a picture of channelsOf(). */
 export function comparedTints(channels, { width, height }, scene, camera, light, tintOf) {
   const rgba = new Uint8Array(4 * width * height);
   for (const [k, channel] of channels.entries())
