@@ -280,7 +280,7 @@ export const shadowsOf = (renderer, options) => (renderer.isWebGLRenderer ? new 
 export async function lookedUp(backend, scene, camera, { lights = 1, radius = 0, at = size, highPrecision = false, ...options } = {}) {
   const renderer = await rendererOf(backend, at);
   renderer.highPrecision = highPrecision; // of a WebGPURenderer, for worlds far off
-  const shadows = shadowsOf(renderer, { lookups: 4, ...options }).add(scene);
+  const shadows = shadowsOf(renderer, { lookups: lights, ...options }).add(scene);
   scene.traverse((light) => { if (light.isLight) shadows.setRadius(light, radius); });
   const found = await rested(shadows, scene, camera, lights);
   const channels = await channelsOf(renderer, () => shadows.render(scene, camera));
