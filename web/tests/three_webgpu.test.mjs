@@ -121,6 +121,58 @@ test('movers have the shadows of three.js\'s own map, until another map holds th
   }
 });
 
+test('above a resting light three.js draws the mover alone, and lights say what they have, and why', async () => {
+  const told = await inPage(async (tools) => {
+    const { three } = tools, at = { width: 160, height: 120 };
+    const { scene, box } = tools.yard(), camera = tools.cameraOf(tools.yardView), renderer = await tools.rendererOf('WebGL', at);
+    const pane = tools.meshOf(new three.PlaneGeometry(1, 1), new three.MeshLambertMaterial({ transparent: true, opacity: 0.5, colorWrite: false, depthWrite: false }), [1.5, 2, 1.5]);
+    pane.rotation.x = -1.5;
+    const [light, target] = tools.lampOf('DirectionalLight', [2.5, 5, -1.5]);
+    scene.add(pane, light, target);
+    const shadows = tools.shadowsOf(renderer, { transparentCast: 'tint' }).add(scene), ways = {};
+    /** Draws while act() changes things, for some of the page's milliseconds or until a light has this reason. */
+    const draws = async (step, wanted, act = () => {}) => {
+      const had = ways[step] = new Set();
+      for (const since = Date.now(); Date.now() - since < 30000 && !had.has(wanted);) {
+        act();
+        shadows.render(scene, camera);
+        const [{ method, reason }] = shadows.lights;
+        had.add(`${method}: ${reason}`);
+        await new Promise((resolve) => { setTimeout(resolve, 100); });
+      }
+      return tools.redOf(renderer, () => shadows.render(scene, camera));
+    };
+    const whole = 'lookup: it rests, and so do all casters', untinted = 'see-through casters that tint nothing meanwhile: 1';
+    await draws('start', whole);
+    const moving = await draws('box moves', "lookup and movers: three.js's own map has the casters that came or moved lately: 1", () => { box.position.x += 0.01; });
+    const exact = await draws('box rests', whole);
+    await draws('pane moves', `lookup and movers: it rests, and other casters, too; ${untinted}`, () => { pane.position.x += 0.01; });
+    await draws('pane rests', whole);
+    await draws('light moves', `map: it has moved within half a second; ${untinted}`, () => { light.position.x += 0.01; });
+    // The mover's shadow is three.js's; others are exact.
+    const ray = new three.Raycaster(), beam = new three.Ray(), told = { near: 0, far: 0 };
+    beam.direction.set(2.5, 5, -1.5).normalize();
+    for (const [i, red] of exact.entries()) {
+      if (Math.abs(red - moving[i]) <= 2) continue;
+      ray.setFromCamera(new three.Vector2(2 * (i % at.width + 0.5) / at.width - 1, 1 - 2 * (Math.floor(i / at.width) + 0.5) / at.height), camera);
+      const [hit] = ray.intersectObjects(scene.children.filter((mesh) => mesh.isMesh && mesh !== pane), false);
+      beam.origin.copy(hit.point);
+      told[beam.distanceToPoint(box.position) < 1.2 ? 'near' : 'far'] += 1;
+    }
+    shadows.dispose();
+    return { ...told, ways: Object.fromEntries(Object.entries(ways).map(([step, had]) => [step, [...had]])) };
+  });
+  console.log(told);
+  assert.equal(told.far, 0, 'pixels that differ from exact ones away from the mover');
+  assert.ok(told.near > 0, "the mover's shadow is three.js's");
+  assert.ok(!told.ways['box moves'].some((way) => /lately: (?!1$)/.test(way)), 'no other caster has it');
+  const last = Object.fromEntries(Object.entries(told.ways).map(([step, had]) => [step, had.at(-1)]));
+  const whole = 'lookup: it rests, and so do all casters', untinted = 'see-through casters that tint nothing meanwhile: 1';
+  assert.deepEqual(last, { start: whole, 'box moves': "lookup and movers: three.js's own map has the casters that came or moved lately: 1", 'box rests': whole,
+    'pane moves': `lookup and movers: it rests, and other casters, too; ${untinted}`, 'pane rests': whole, 'light moves': `map: it has moved within half a second; ${untinted}` });
+  assert.ok(told.ways['box moves'].includes(`map: casters have come, gone or started to move within half a second; ${untinted}`));
+});
+
 test('views of an ArrayCamera are looked up as by cameras of their own', async () => {
   const told = await inPage(async (tools) => {
     const { three } = tools, half = { width: 100, height: 120 };

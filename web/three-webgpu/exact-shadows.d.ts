@@ -26,10 +26,10 @@ export interface LightShadow {
   light: Light;
   /**
    * 'lookup': its map alone; 'lookup and movers': its map, and three.js's own map of the casters that
-   * came or moved lately; 'map': three.js's own map of all casters.
+   * it lacks, as they came or moved lately; 'map': three.js's own map of all casters.
    */
   method: 'lookup' | 'lookup and movers' | 'map';
-  /** A clause. */
+  /** A clause; with the number of casters that come from three.js's own map, and of those that tint nothing. */
   reason: string;
 }
 

@@ -67,8 +67,8 @@ export class ExactShadows extends EventTarget {
     this.#mostLookedUp = lookups;
     this.#hadShadows = renderer.shadowMap.enabled;
     renderer.shadowMap.enabled = true; // otherwise three.js asks no shadow node
-    this.#shadows = new LightShadows((mesh, light) => this.#casters?.castingOf(mesh, this.#resting.heldSinceOf(light)) ?? 0,
-      (material) => this.#casts(material));
+    this.#shadows = new LightShadows((mesh, light, map) => this.#casters?.castingOf(mesh, this.#heldBy(light, map)) === 2, (material) => this.#casts(material),
+      (mesh, light, map) => Boolean(this.#casters?.lacksTint(mesh, this.#heldBy(light, map))));
     this.#readiness = new Readiness(this.#start(), this.#progress, () => this.#casters, (message) => this.#tell(message));
   }
 
@@ -181,6 +181,13 @@ export class ExactShadows extends EventTarget {
   #casts(material) {
     if (!material?.visible) return false;
     return isAlphaTested(material) ? this.alphaTestedCast !== 'none' : !isSeeThrough(material) || this.transparentCast === 'opaque';
+  }
+
+  /** RestingLights.heldBy() of a light's map, which without movers holds all that the engine has; without a map none. */
+  #heldBy(light, map) {
+    if (map?.movers > 0) return this.#resting.heldBy(light);
+    const all = map ? Infinity : -Infinity;
+    return { changed: all, moved: all };
   }
 
   /** Follows the scene's current state. Returns the lights and meshes that the camera sees. */

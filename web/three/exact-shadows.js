@@ -337,10 +337,10 @@ export class ExactShadows extends EventTarget {
     }
     const receiving = new Map(); // by material: the least castingOf() of its meshes
     const note = (material, casting) => material && receiving.set(material, Math.min(casting, receiving.get(material) ?? 2));
-    const since = this.#resting?.heldSince;
+    const held = this.#resting?.held;
     for (const mesh of meshes) {
       if (!mesh.receiveShadow) continue;
-      const casting = this.#casters?.castingOf(mesh, since) ?? 0;
+      const casting = this.#casters?.castingOf(mesh, held) ?? 0;
       if (Array.isArray(mesh.material)) for (const material of mesh.material) note(material, casting);
       else note(mesh.material, casting);
       note(scene.overrideMaterial, casting);

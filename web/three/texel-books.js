@@ -1,4 +1,4 @@
-// Which textures' texels the mask engine has, and which are to be read: for the adapters of both renderers.
+// Texels of textures that the mask engine has, and those to be read: for the adapters of both renderers.
 
 import { ClampToEdgeWrapping, MirroredRepeatWrapping, NearestFilter } from 'three';
 

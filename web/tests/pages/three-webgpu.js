@@ -179,7 +179,7 @@ export function stained() {
   return scene;
 }
 
-/** What a mesh of these lets through where a ray hits it, [red, green, blue]; null: it is solid. */
+/** Light that a mesh of these lets through where a ray hits it, [red, green, blue]; null: it is solid. */
 function throughStained({ material }, hit) {
   const { color, map, alphaMap, transmissionMap, opacity, transparent, transmission = 0, alphaTest } = material;
   if (!map) return null;
