@@ -56,13 +56,13 @@ const packed = (() => {
   }
 })();
 
-test('the package is at most 1.66 MB, 4.47 MB unpacked', { skip }, () => {
+test('the package is at most 1.67 MB, 4.49 MB unpacked', { skip }, () => {
   const { size, unpackedSize } = packed;
   console.log(`tarball ${size} bytes, unpacked ${unpackedSize}`);
-  assert.ok(size <= 1.66e6 && unpackedSize <= 4.47e6);
+  assert.ok(size <= 1.67e6 && unpackedSize <= 4.49e6);
 });
 
-test('three.js\' adapter weighs at most 477 KB, its hours of sun 171 KB more when asked for, the element 804 KB, without a bundler, compressed', { skip }, () => {
+test('three.js\' adapter weighs at most 478 KB, its hours of sun 171 KB more when asked for, the element 804 KB, without a bundler, compressed', { skip }, () => {
   const modules = (...folders) => packed.paths.filter((path) => path.endsWith('.js') && folders.some((folder) => path.startsWith(`dist/${folder}/`)));
   const wasm = (name) => [`dist/wasm/${name}.wasm`, `dist/wasm/${name}.mjs`];
   const ofHours = (path) => path.includes('/sun-hours');
@@ -70,7 +70,7 @@ test('three.js\' adapter weighs at most 477 KB, its hours of sun 171 KB more whe
   const hours = packed.weight(...wasm('edgeshade-hours'), ...modules('three').filter(ofHours));
   const element = packed.weight(...wasm('edgeshade'), ...modules('element'));
   console.log(`adapter ${adapter} bytes, hours ${hours}, element ${element}`);
-  assert.ok(adapter <= 477e3 && hours <= 171e3 && element <= 804e3);
+  assert.ok(adapter <= 478e3 && hours <= 171e3 && element <= 804e3);
 });
 
 test('npm packs every entry with its types, workers and WebAssembly', { skip }, () => {

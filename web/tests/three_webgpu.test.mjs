@@ -3,7 +3,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { requireRelease } from '../three-webgpu/release.js';
+import { requireFloats, requireRelease } from '../three-webgpu/release.js';
 import { useBrowser } from './support/browser.mjs';
 import { isLong } from './support/long.mjs';
 
@@ -196,6 +196,65 @@ test('views of an ArrayCamera are looked up as by cameras of their own', async (
   console.log(told);
   for (const views of Object.values(told))
     for (const { dark, differ } of views) assert.ok(dark > 1000 && dark < 11000 && differ <= 2, `${differ} pixels differ, ${dark} are dark`);
+});
+
+test('a CubeCamera is updated with shadows in all of its sides', async () => {
+  const told = await inPage(async (tools) => {
+    const { three } = tools, at = { width: 48, height: 48 }, sides = {};
+    for (const backend of ['WebGL', 'WebGPU']) {
+      const renderer = await tools.rendererOf(backend, at), target = new tools.CubeRenderTarget(48), cube = new three.CubeCamera(0.1, 50, target);
+      const { scene } = tools.yard();
+      const [light, sunTarget] = tools.lampOf('DirectionalLight', [2.5, 5, -1.5]);
+      cube.position.set(-0.4, 2.2, 1.2);
+      scene.add(cube, light, sunTarget);
+      const shadows = tools.shadowsOf(renderer).add(scene);
+      await tools.rested(shadows, scene, cube);
+      shadows.render(scene, cube);
+      const darkOf = (rgba) => rgba.reduce((sum, value, i) => sum + (i % 4 === 0 && value < 20), 0);
+      const sideOf = async (i) => darkOf(await renderer.readRenderTargetPixelsAsync(target, 0, 0, 48, 48, 0, i));
+      sides[backend] = [];
+      for (const [i, camera] of cube.children.entries()) {
+        const cubeSide = await sideOf(i);
+        renderer.setRenderTarget(new tools.RenderTarget(48, 48));
+        shadows.render(scene, camera);
+        const alone = darkOf(await renderer.readRenderTargetPixelsAsync(renderer.getRenderTarget(), 0, 0, 48, 48));
+        sides[backend].push([cubeSide, alone]);
+      }
+      sides[backend].method = shadows.lights[0].method;
+      shadows.dispose();
+      light.castShadow = false;
+      cube.update(renderer, scene);
+      for (const [i, side] of sides[backend].entries()) side.push(await sideOf(i));
+    }
+    return { sides, methods: Object.values(sides).map(({ method }) => method) };
+  });
+  console.log(JSON.stringify(told));
+  assert.deepEqual(told.methods, ['lookup', 'lookup']);
+  for (const [backend, all] of Object.entries(told.sides)) {
+    assert.equal(all.length, 6);
+    for (const [cubeSide, alone] of all) assert.ok(Math.abs(cubeSide - alone) <= 4, `${backend}: ${cubeSide} and ${alone} pixels are dark`);
+    assert.ok(all.some(([cubeSide, , unshadowed]) => cubeSide > unshadowed + 100), 'a side has shadows');
+  }
+});
+
+test('hours of sun are those of the other adapter', async () => {
+  const told = await inPage(async (tools) => {
+    const options = { place: [48.14, 11.57], date: '2026-03-21', step: 60, utcOffset: '+01:00' }, told = {};
+    for (const backend of ['WebGLRenderer', 'WebGL']) {
+      const renderer = await tools.rendererOf(backend, { width: 32, height: 24 }), { scene, box } = tools.yard(), camera = tools.cameraOf(tools.yardView);
+      scene.add(...tools.lampOf('DirectionalLight', [2.5, 5, -1.5]));
+      const shadows = tools.shadowsOf(renderer).add(scene);
+      shadows.render(scene, camera);
+      await shadows.ready();
+      shadows.render(scene, camera);
+      const { counts, positions } = await shadows.sunHours(box, options), { counts: cells } = await shadows.sunHours(scene, { ...options, grid: 0.7 });
+      told[backend] = { positions, counts: [...counts], cells: [...cells] };
+      shadows.dispose();
+    }
+    return told;
+  });
+  assert.deepEqual(told.WebGL, told.WebGLRenderer);
+  assert.ok(told.WebGL.cells.length > 100 && new Set(told.WebGL.counts).size > 3, `${told.WebGL.cells.length} cells; ${told.WebGL.counts}`);
 });
 
 test('a radius softens shadows until it is 0 again, and is three.js\'s own map while casters move', async () => {
@@ -396,6 +455,7 @@ test('leaves that move, and those whose alpha is not known, have the shadows of 
       mesh.name = name;
       scene.add(mesh);
     };
+    card('wire', tools.white({ wireframe: true }));
     card('target', tools.white({ map: new tools.RenderTarget(4, 4).texture }));
     card('nodes', Object.assign(new tools.MeshBasicNodeMaterial(), { opacityNode: tools.float(0.8) }));
     const pane = tools.meshOf(new tools.three.PlaneGeometry(0.4, 0.4), Object.assign(new tools.MeshBasicNodeMaterial(), { transparent: true, colorNode: tools.float(0.8) }), [-2, 1.4, 2]);
@@ -409,15 +469,16 @@ test('leaves that move, and those whose alpha is not known, have the shadows of 
     told.methods.push(shadows.lights[0].method);
     shadows.dispose();
     return told;
-  }, null, [/^(Alpha-tested|See-through) mesh/]);
+  }, null, [/^(Alpha-tested m|See-through m|M)esh/]);
   console.log(told, reports);
   const { none, whole, exact, moving } = told;
   assert.ok(none + 300 < exact && exact + 300 < whole, 'leaves and their holes are many pixels');
   assert.ok(none + 300 < moving && moving + 300 < whole, `${moving} pixels are dark where leaves move`);
   assert.deepEqual(told.methods, ['map', 'lookup and movers']);
-  assert.deepEqual([...reports].filter((text) => text.includes(' mesh ')).sort(), [
+  assert.deepEqual([...reports].filter((text) => /[Mm]esh '/.test(text)).sort(), [
     "Alpha-tested mesh 'nodes' has the shadow of three.js's own map: nodes compute its alpha.",
     "Alpha-tested mesh 'target' has the shadow of three.js's own map: its texture may change in every frame.",
+    "Mesh 'wire' has the shadow of three.js's own map: its material is a wireframe.",
     "See-through mesh 'pane' tints without what nodes compute of it."]);
 });
 
@@ -452,4 +513,15 @@ test('lights have their own shadow nodes and maps\' sizes again afterwards, and 
 test('releases of three.js that bind no textures again are refused', () => {
   for (const revision of ['187', '188dev', '200']) requireRelease(revision);
   assert.throws(() => requireRelease('186'), { message: 'ExactShadows of edgeshade/three-webgpu needs r187 of three.js or later, not r186.' });
+});
+
+test('devices whose fragment shaders have no 32-bit numbers are refused', () => {
+  const backendOf = (floats, integers) => ({ isWebGLBackend: true,
+    gl: { FRAGMENT_SHADER: 1, HIGH_FLOAT: 2, HIGH_INT: 3, getShaderPrecisionFormat: (stage, kind) => (kind === 2 ? floats : integers) } });
+  const full = { precision: 23, rangeMin: 127, rangeMax: 127 }, whole = { precision: 0, rangeMin: 31, rangeMax: 30 };
+  requireFloats(backendOf(full, whole));
+  requireFloats({ isWebGPUBackend: true });
+  assert.throws(() => requireFloats(backendOf({ precision: 16, rangeMin: 62, rangeMax: 62 }, whole)),
+    { message: "ExactShadows needs fragment shaders with 32-bit floats: this device's have 16 binary digits, and exponents from -62 to 62." });
+  assert.throws(() => requireFloats(backendOf(full, { rangeMax: 15 })), { message: "ExactShadows needs fragment shaders with 32-bit integers: this device's have 16 bits." });
 });

@@ -1,8 +1,8 @@
 /** Exact shadows in three.js's WebGPURenderer. */
 
-import type { Camera, Light, Object3D } from 'three';
+import type { Camera, CubeCamera, Light, Mesh, Object3D } from 'three';
 import type { Renderer } from 'three/webgpu';
-import type { AlphaTestedCast, TransparentCast } from '../three/exact-shadows.js';
+import type { AlphaTestedCast, CellSunHours, SunHoursOptions, TransparentCast, VertexSunHours } from '../three/exact-shadows.js';
 
 /** Version of the package, "major.minor.patch". */
 export const version: string;
@@ -72,18 +72,21 @@ export class ExactShadows extends EventTarget {
    */
   setRadius(light: Light, radius: number): this;
 
-  /** Use it in place of renderer.render(). */
-  render(scene: Object3D, camera: Camera): void;
+  /** Use it in place of renderer.render(). A CubeCamera is updated. */
+  render(scene: Object3D, camera: Camera | CubeCamera): void;
   /**
    * Follows the scene for your own render() right after it, such as a RenderPipeline's; returns whether
    * any light is looked up.
    */
-  update(scene: Object3D, camera: Camera): boolean;
+  update(scene: Object3D, camera: Camera | CubeCamera): boolean;
 
   /** Resolves once everything in the last picture has its shadows. Throws any error. */
   ready(): Promise<void>;
   /** Resolves when the last picture is final, until the scene changes. Throws any error. */
   readonly settled: Promise<void>;
+  /** As in edgeshade/three, under the casters of the last update(). */
+  sunHours(object: Mesh, options: SunHoursOptions & { grid?: undefined }): Promise<VertexSunHours>;
+  sunHours(object: Object3D, options: SunHoursOptions & { grid: number; offset?: number }): Promise<CellSunHours>;
   /** Whether one more frame would look different, though the scene hasn't changed. */
   readonly needsUpdate: boolean;
   /**

@@ -16,9 +16,9 @@ import { ShadowMasks } from '../masks/shadow-masks.js';
 import { GroupClippings } from './group-clippings.js';
 import { LightShadows } from './light-shadows.js';
 import { memoryContext } from './memory-context.js';
-import { NodeAlphaTests } from './node-alpha-tests.js';
+import { NodeAlphaTests, otherwise } from './node-alpha-tests.js';
 import { nodeProducts } from './node-products.js';
-import { requireRelease } from './release.js';
+import { requireFloats, requireRelease } from './release.js';
 import { TexelReading } from './texel-reading.js';
 
 export { version } from '../element/version.js';
@@ -73,6 +73,8 @@ export class ExactShadows extends EventTarget {
   }
 
   async #start() {
+    await this.#renderer.init();
+    requireFloats(this.#renderer.backend);
     const masks = await ShadowMasks.create(memoryContext(), { keepsState: false });
     if (this.#disposed) {
       masks.dispose();
@@ -80,7 +82,8 @@ export class ExactShadows extends EventTarget {
     }
     this.#masks = masks;
     this.#texels = new TexelReading(this.#renderer, masks);
-    this.#casters = new Casters(masks, new NodeAlphaTests(this.#texels, this.#products), new GroupClippings(), this.#warnings, { touched() {}, failed: (message) => this.#tell(message) });
+    this.#casters = new Casters(masks, new NodeAlphaTests(this.#texels, this.#products), new GroupClippings(), this.#warnings, {
+      touched() {}, failed: (message) => this.#tell(message), otherwise: () => otherwise });
     this.#resting = new RestingLights(masks, this.#mostLookedUp, () => {});
     this.#progress.invalidate();
   }
@@ -141,10 +144,19 @@ export class ExactShadows extends EventTarget {
     return this.#lights.map(({ light }) => this.#shadows.methodOf(light, this.#resting?.methodOf(light)));
   }
 
-  /** Use it in place of renderer.render(). */
+  /** Counts hours of sun on an object, under the casters of the last update(). */
+  async sunHours(object, options) {
+    await this.ready();
+    if (!this.#last) throw new Error('sunHours() needs a render() before it, whose meshes cast.');
+    const { sunHours } = await import('../three/sun-hours.js');
+    return sunHours(object, this.#casters, options);
+  }
+
+  /** Use it in place of renderer.render(), or of a CubeCamera's update(). */
   render(scene, camera) {
     this.update(scene, camera);
-    this.#renderer.render(scene, camera);
+    if (camera.isCamera) this.#renderer.render(scene, camera);
+    else camera.update(this.#renderer, scene);
   }
 
   /** Follows the scene for the host's own render() right after it; returns whether any light is looked up. */

@@ -2,7 +2,8 @@
 
 import { AlphaTests } from '../three/alpha-tests.js';
 
-const otherwise = "has the shadow of three.js's own map";
+/** What meshes have that the mask engine can't have as they are drawn. */
+export const otherwise = "has the shadow of three.js's own map";
 
 /** A texture that three.js can upload now, or null. */
 const uploadable = (texture) => (texture.isRenderTargetTexture || (texture.version > 0 && texture.image && texture.image.complete !== false) ? texture : null);

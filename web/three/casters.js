@@ -93,6 +93,8 @@ const recordOf = (whole) => ({ whole, key: null, entry: null, ids: [], places: [
   queued: false, round: 0,
   changed: Infinity, moves: false }); // when it became what it is in the engine, and whether it was elsewhere or of another shape before
 
+const otherwiseUnmasked = (casts) => `${casts ? 'casts no shadow, and ' : ''}receives only shadows of lights that are looked up`;
+
 /** Whether a map holds what has such a record: see castingOf(). */
 const isHeld = ({ changed, moves }, held) => changed < (moves ? held?.moved : held?.changed);
 
@@ -114,6 +116,7 @@ export class Casters {
   #problems = [];
   #parts;
   #warnings;
+  #otherwise;
   #cutsOut = false;
   #tints = false;
   #lacked = false;
@@ -121,11 +124,13 @@ export class Casters {
 
   /**
    * `touched()` is called when the context's state has changed, `failed(sentence)` when a mesh can't
-   * take part. `displacements`: Displacements, or null for none.
+   * take part. `displacements`: Displacements, or null for none; `otherwise(casts)`: what becomes of meshes that the
+   * engine can't have, a verb with its object.
    */
-  constructor(masks, alphaTests, clippings, warnings, { displacements = null, touched, failed }) {
+  constructor(masks, alphaTests, clippings, warnings, { displacements = null, touched, failed, otherwise = otherwiseUnmasked }) {
     this.#masks = masks;
     this.#displacements = displacements;
+    this.#otherwise = otherwise;
     this.#warnings = warnings;
     this.#touched = touched;
     this.#failed = failed;
@@ -251,7 +256,7 @@ export class Casters {
   #isLeftOut(part, { casts }, mesh) {
     const why = whyNotInMasks(part) || (part.material.displacementMap ?
       this.#displacements?.obstacleOf(part) ?? "its material's displacementMap moves vertices in the shader" : '');
-    if (why) this.#warn(mesh, `${casts ? 'casts no shadow, and ' : ''}receives only shadows of lights that are looked up: ${why}`);
+    if (why) this.#warn(mesh, `${this.#otherwise(casts)}: ${why}`);
     return why !== '';
   }
 

@@ -2,7 +2,7 @@
 
 import * as three from 'three';
 import { float } from 'three/tsl';
-import { ClippingGroup, MeshBasicNodeMaterial, RenderTarget, WebGPURenderer } from 'three/webgpu';
+import { ClippingGroup, CubeRenderTarget, MeshBasicNodeMaterial, RenderTarget, WebGPURenderer } from 'three/webgpu';
 import { ExactShadows } from 'edgeshade/three';
 import { ExactShadows as NodeShadows } from 'edgeshade/three-webgpu';
 import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
@@ -350,5 +350,5 @@ export function comparedTints(channels, { width, height }, scene, camera, light,
   return tintsComparedWithRays({ rgba, width, height }, scene, camera, light, tintOf);
 }
 
-export { ClippingGroup, comparedWithRays, float, MeshBasicNodeMaterial, NodeShadows, RenderTarget, three };
+export { ClippingGroup, comparedWithRays, CubeRenderTarget, float, MeshBasicNodeMaterial, NodeShadows, RenderTarget, three };
 window.page = { ready: true };
