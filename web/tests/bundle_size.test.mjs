@@ -119,6 +119,7 @@ export const hours = async (shadows: ExactShadows): Promise<number> => {
 export const nowhere = (shadows: ExactShadows) => shadows.sunHours(1 as never, { date: '2026-03-21' });
 export const bytes = (shadows: ExactShadows): number | undefined => shadows.cost?.bytes;
 export const methods = (shadows: NodeShadows): LightShadow['method'][] => shadows.lights.map(({ method }) => method);
+export const cells = async (shadows: NodeShadows): Promise<Float64Array> => (await shadows.sunHours(1 as never, { place: [48, 11], date: '2026-03-21', grid: 1 })).cells.areas;
 // @ts-expect-error: they have types, which are not any
 export const wrong: boolean = [hourColors, new ExactShadows(1 as never).lightSamples];
 `);

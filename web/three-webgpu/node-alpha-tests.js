@@ -2,7 +2,7 @@
 
 import { AlphaTests } from '../three/alpha-tests.js';
 
-/** What meshes have that the mask engine can't have as they are drawn. */
+/** The lot of meshes that the mask engine can't have as they are drawn: a verb with its object. */
 export const otherwise = "has the shadow of three.js's own map";
 
 /** A texture that three.js can upload now, or null. */
