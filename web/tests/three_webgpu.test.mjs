@@ -6,6 +6,7 @@ import { test } from 'node:test';
 import { requireFloats, requireRelease } from '../three-webgpu/release.js';
 import { useBrowser } from './support/browser.mjs';
 import { isLong } from './support/long.mjs';
+import { blocksOf } from './support/readme.mjs';
 
 const shared = useBrowser({ webGpu: true });
 
@@ -255,6 +256,38 @@ test('hours of sun are those of the other adapter', async () => {
   });
   assert.deepEqual(told.WebGL, told.WebGLRenderer);
   assert.ok(told.WebGL.cells.length > 100 && new Set(told.WebGL.counts).size > 3, `${told.WebGL.cells.length} cells; ${told.WebGL.counts}`);
+});
+
+test("the README's lines draw exact shadows, with a RenderPipeline, too", async () => {
+  const [lines, pipelineLines] = blocksOf('`edgeshade/three-webgpu`', 'js');
+  const { told } = await inPage(async (tools, { plain, piped }) => {
+    navigator.gpu.requestAdapter = () => Promise.resolve(null); // Chromium has no canvas for SwiftShader's WebGPU
+    const at = { width: 160, height: 120 }, { scene } = tools.yard(), camera = tools.cameraOf(tools.yardView, at);
+    const [light, target] = tools.lampOf('DirectionalLight', [2.5, 5, -1.5]);
+    scene.add(light, target);
+    Object.assign(window, { scene, camera });
+    const run = (text, names) => import(`data:text/javascript,${encodeURIComponent(`${text}\nexport { ${names} };`)}`);
+    const { renderer, shadows } = await run(plain, 'renderer, shadows');
+    renderer.setPixelRatio(1);
+    renderer.setSize(at.width, at.height);
+    await tools.rested(shadows, scene, camera);
+    renderer.setAnimationLoop(null);
+    const alone = await tools.redOf(renderer, () => shadows.render(scene, camera));
+    Object.assign(window, { renderer, shadows });
+    const { pipeline } = await run(piped, 'pipeline');
+    await new Promise((resolve) => { setTimeout(resolve, 1000); }); // the loop draws
+    renderer.setAnimationLoop(null);
+    const followed = await tools.redOf(renderer, () => { shadows.update(scene, camera); pipeline.render(); });
+    const rays = { localClippingEnabled: false, clippingPlanes: [], getContext: () => ({ drawingBufferWidth: at.width, drawingBufferHeight: at.height }) };
+    const [{ method }] = shadows.lights;
+    const judged = [alone, followed].map((red) => tools.comparedWithRays(red, rays, scene, camera, light));
+    shadows.dispose();
+    return { method, judged };
+  }, { plain: lines, piped: pipelineLines }, [/WebGPU is not available/]);
+  console.log(told);
+  assert.equal(told.method, 'lookup');
+  for (const { surfaces, dark, beyond, wrong } of told.judged)
+    assert.ok(surfaces > 8000 && dark > 1000 && beyond <= 1 && wrong <= 0.02 * surfaces, `${wrong} of ${surfaces} pixels are wrong, ${beyond} beyond outlines`);
 });
 
 test('a radius softens shadows until it is 0 again, and is three.js\'s own map while casters move', async () => {
