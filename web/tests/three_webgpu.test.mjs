@@ -3,7 +3,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { requireFloats, requireRelease } from '../three-webgpu/release.js';
+import { requireFloats, requireRelease } from '../three-webgpu/requirements.js';
 import { useBrowser } from './support/browser.mjs';
 import { isLong } from './support/long.mjs';
 import { blocksOf } from './support/readme.mjs';

@@ -18,7 +18,7 @@ import { LightShadows } from './light-shadows.js';
 import { memoryContext } from './memory-context.js';
 import { NodeAlphaTests, otherwise } from './node-alpha-tests.js';
 import { nodeProducts } from './node-products.js';
-import { requireFloats, requireRelease } from './release.js';
+import { requireFloats, requireRelease } from './requirements.js';
 import { TexelReading } from './texel-reading.js';
 
 export { version } from '../element/version.js';

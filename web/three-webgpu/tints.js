@@ -17,7 +17,7 @@ export function takeTint(map, { beside, height, tolerance, next, behind }, owner
     const [u, v] = valuesAt([1, 2].map((i) => map.record(next.add(uint(i))).toVar()), ray, behind, directional);
     // Red, green and blue follow one another.
     Loop({ start: int(0), end: select(rectangle.z.greaterThan(0), int(3), int(0)), type: 'int', condition: '<', name: 'layer' }, ({ layer }) => {
-      const before = float(layer).mul(rectangle.z).mul(rectangle.w);
+      const before = rectangle.y.add(float(layer).mul(rectangle.z).mul(rectangle.w));
       const share = sampledAt(map, vec2(u, v), vec4(rectangle.x, before, rectangle.zw).toVar(), how).toVar();
       tint.mulAssign(vec3(...[0, 1, 2].map((one) => select(layer.equal(int(one)), share, float(1)))));
     });
