@@ -48,8 +48,7 @@ for (const [name, [lights, most, mostBeyond]] of Object.entries({
   'far yard': [[sun, ['PointLight', [0.4, 2.6, 0.7]]], 0, 0],
   pavilion: [[['DirectionalLight', [-0.62, 0.62, -0.3]]], 16, 2],
   instances: [[['PointLight', [1.5, 2.4, 1.2]]], 0, 0],
-  ...(isLong && { panes: [[sun], 0, 0], leaves: [[sun], 0, 0] }), // sheets have both
-  sheets: [[['DirectionalLight', [0.1, 1, 0.2]]], 0, 0],
+  ...(isLong && { panes: [[sun], 0, 0], leaves: [[sun], 0, 0], sheets: [[['DirectionalLight', [0.1, 1, 0.2]]], 0, 0] }), // stained panes have all
   stained: [[['PointLight', [0.3, 3.6, 0.4]]], 0, 0],
   'soft yard': [[['PointLight', [0.4, 2.6, 0.7]]], 0, 0],
   lamps: [[['SpotLight', [0.5, 5, 1.5]], ['PointLight', [0.4, 1.6, 0.7]]], 0, 0],

@@ -16,7 +16,7 @@ export const size = { width: 320, height: 240 };
 
 /**
  * An initialised renderer with a canvas in the page. `backend`: 'WebGLRenderer', 'WebGL' or 'WebGPU', which
- * draws into a texture, as Chromium has no canvas for SwiftShader's WebGPU.
+ * draws into a texture, as Chromium has no canvas for SwiftShader's WebGPU. Its light is linear: 8 bits were too few.
  */
 export async function rendererOf(backend, { width, height } = size) {
   const renderer = backend === 'WebGLRenderer' ? new three.WebGLRenderer({ antialias: false, preserveDrawingBuffer: true })
@@ -25,7 +25,7 @@ export async function rendererOf(backend, { width, height } = size) {
   renderer.setSize(width, height);
   renderer.setClearColor(0x000000, 1);
   await renderer.init?.();
-  if (backend === 'WebGPU') renderer.setRenderTarget(new RenderTarget(width, height));
+  if (backend === 'WebGPU') renderer.setRenderTarget(new RenderTarget(width, height, { type: three.HalfFloatType }));
   document.body.append(renderer.domElement);
   return renderer;
 }
@@ -159,12 +159,11 @@ function alphas(width, height, settings) {
 }
 
 /**
- * Panes, invisible to the eye, whose textures are of colour, alpha and transmission, and a sheet with holes of
- * two textures' alpha, above a ground.
+ * The same, and panes, invisible to the eye, whose textures are of colour, alpha and transmission, and a sheet with
+ * holes of two textures' alpha.
  */
 export function stained() {
-  const scene = new three.Scene(), color = new three.Color().setRGB(1, 0.8, 0.6, three.LinearSRGBColorSpace);
-  scene.add(meshOf(new three.BoxGeometry(8, 0.2, 8), white(), [0, -0.1, 0]), meshOf(new three.BoxGeometry(0.5, 0.5, 0.5), white(), [-2, 0.25, 1.4]));
+  const scene = sheets(), color = new three.Color().setRGB(1, 0.8, 0.6, three.LinearSRGBColorSpace);
   const added = (material, place, turned) => {
     const pane = meshOf(new three.PlaneGeometry(1.6, 1.4), material, place), { uv } = pane.geometry.attributes;
     pane.rotation.set(...turned);
@@ -182,7 +181,7 @@ export function stained() {
 /** Light that a mesh of these lets through where a ray hits it, [red, green, blue]; null: it is solid. */
 function throughStained({ material }, hit) {
   const { color, map, alphaMap, transmissionMap, opacity, transparent, transmission = 0, alphaTest } = material;
-  if (!map) return null;
+  if (!transparent && !(transmission > 0) && !(alphaTest > 0)) return null;
   if (!hit) return [1, 1, 1];
   const at = (texture, channel) => (texture ? sampled(texture, texture.channel === 1 ? hit.uv1 : hit.uv, channel) : 1);
   const alpha = opacity * at(map, 3) * at(alphaMap, 0);
@@ -260,8 +259,9 @@ export async function channelsOf(renderer, draw) {
   const target = renderer.getRenderTarget(), channel = (rgba, k) => rgba.filter((_, i) => i % 4 === k);
   if (target) {
     draw();
-    const rgba = await renderer.readRenderTargetPixelsAsync(target, 0, 0, width, height);
-    return [0, 1, 2].map((k) => channel(rgba, k).map((value) => 255 * new three.Color(value / 255, 0, 0).convertLinearToSRGB().r + 0.5));
+    const halves = await renderer.readRenderTargetPixelsAsync(target, 0, 0, width, height), color = new three.Color();
+    const shown = (half) => 255 * color.setScalar(Math.min(three.DataUtils.fromHalfFloat(half), 1)).convertLinearToSRGB().r + 0.5;
+    return [0, 1, 2].map((k) => Uint8Array.from(channel(halves, k), shown));
   }
   const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
   draw();
