@@ -110,3 +110,33 @@ test('a context that comes back asks for a frame, and what fails is thrown', asy
   assert.equal(told.restored.count.at(-1), '0 pending, 1 looked up');
   assert.ok(isRight(told.restored.right), JSON.stringify(told.restored.right));
 });
+
+test('textures are read one after another until leaves cast, and those that nothing asks for any more hold up nothing', async () => {
+  const { told, left } = await onDemand(async ({ draw, settled, scene, three, shadows }) => {
+    const { blobs, white } = await import('/tests/foliage.js');
+    const sheet = (x, settings) => {
+      const mesh = new three.Mesh(new three.PlaneGeometry(0.5, 0.5), white({ alphaTest: 0.5, ...settings }));
+      mesh.position.set(x, 0.7, 1.6);
+      mesh.rotation.x = -1.4;
+      mesh.castShadow = mesh.receiveShadow = true;
+      scene.add(mesh);
+      return mesh;
+    };
+    const added = [0, 1].map((i) => sheet(-1.5 + i, { map: blobs(6, 5, { seed: i }) }));
+    added.push(sheet(0.5, { map: blobs(5, 4), alphaMap: blobs(4, 6, { green: true }) })); // its alphaMap alone isn't needed
+    const within = (ms, promise) => Promise.race([promise, new Promise((resolve) => { setTimeout(resolve, ms, null); })]);
+    draw();
+    const told = await within(20000, settled());
+    added.push(...[2, 3, 4].map((i) => sheet(-3.5 + i, { map: blobs(6, 5, { seed: i }) })));
+    draw();
+    scene.remove(...added);
+    draw(); // their textures haven't all been read
+    const left = await within(20000, settled());
+    shadows.dispose();
+    return { told, left };
+  });
+  console.log(told, left);
+  assert.equal(told?.needsUpdate, false, 'it is settled');
+  assert.ok(told.count.length < 12 && told.count.at(-1) === '0 pending, 1 looked up', told.count.join('; '));
+  assert.ok(isRight(left.right), JSON.stringify(left?.right));
+});

@@ -3,9 +3,10 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { requireRelease } from '../three-webgpu/release.js';
+import { requireFloats, requireRelease } from '../three-webgpu/requirements.js';
 import { useBrowser } from './support/browser.mjs';
 import { isLong } from './support/long.mjs';
+import { blocksOf } from './support/readme.mjs';
 
 const shared = useBrowser({ webGpu: true });
 
@@ -24,14 +25,16 @@ const sun = ['DirectionalLight', [0.5, 1, -0.3]];
 /** Both back ends' pictures of a scene beside the other adapter's. */
 async function backendsDiffer(tools, { scene: name, lights }) {
   const results = {};
-  const { camera, scene, options, place = scene } = await tools.sceneOf(name);
+  const { camera, scene, options, place = scene, tintOf } = await tools.sceneOf(name);
   for (const light of lights) place.add(...tools.lampOf(...light));
+  const lamp = place.getObjectByProperty('isLight', true);
   const pictures = {};
   for (const backend of ['WebGLRenderer', 'WebGL', 'WebGPU']) {
     pictures[backend] = await tools.lookedUp(backend, scene, camera, { lights: lights.length, ...options });
-    const { lookedUp, red, methods } = pictures[backend];
-    const { places, ...counts } = tools.compared(pictures.WebGLRenderer.red, red, options?.at);
-    results[backend] = { lookedUp, methods, ...counts, unexplained: tools.onNoBorder(scene, camera, places).length };
+    const { lookedUp, channels, methods } = pictures[backend];
+    const { places, ...counts } = tools.compared(pictures.WebGLRenderer.channels, channels, options?.at);
+    results[backend] = { lookedUp, methods, ...counts, unexplained: tools.onNoBorder(scene, camera, places).length,
+      ...(tintOf && backend === 'WebGPU' && { rays: tools.comparedTints(channels, options.at, scene, camera, lamp, tintOf) }) };
   }
   return results;
 }
@@ -45,8 +48,8 @@ for (const [name, [lights, most, mostBeyond]] of Object.entries({
   'far yard': [[sun, ['PointLight', [0.4, 2.6, 0.7]]], 0, 0],
   pavilion: [[['DirectionalLight', [-0.62, 0.62, -0.3]]], 16, 2],
   instances: [[['PointLight', [1.5, 2.4, 1.2]]], 0, 0],
-  ...(isLong && { panes: [[sun], 0, 0], leaves: [[sun], 0, 0] }), // sheets have both
-  sheets: [[['DirectionalLight', [0.1, 1, 0.2]]], 0, 0],
+  ...(isLong && { panes: [[sun], 0, 0], leaves: [[sun], 0, 0], sheets: [[['DirectionalLight', [0.1, 1, 0.2]]], 0, 0] }), // stained panes have all
+  stained: [[['PointLight', [0.3, 3.6, 0.4]]], 0, 0],
   'soft yard': [[['PointLight', [0.4, 2.6, 0.7]]], 0, 0],
   lamps: [[['SpotLight', [0.5, 5, 1.5]], ['PointLight', [0.4, 1.6, 0.7]]], 0, 0],
 }))
@@ -54,14 +57,17 @@ for (const [name, [lights, most, mostBeyond]] of Object.entries({
     const { WebGLRenderer, ...others } = await inPage(backendsDiffer, { scene: name, lights });
     console.log(name, { WebGLRenderer, ...others });
     assert.equal(WebGLRenderer.lookedUp, lights.length);
-    const leastGrey = { panes: 2000, sheets: 800, 'soft yard': 100 }[name] ?? 0; // panes tint, and soft shadows have borders
+    const leastGrey = { panes: 2000, sheets: 800, stained: 400, 'soft yard': 100 }[name] ?? 0; // panes tint, and soft shadows have borders
     assert.ok(WebGLRenderer.grey >= leastGrey, `${WebGLRenderer.grey} pixels are grey`);
     assert.ok(WebGLRenderer.shadow > 1000 && WebGLRenderer.lit > 2000, 'the picture has light and shadow');
-    for (const [backend, { lookedUp, differ, beyond, unexplained }] of Object.entries(others)) {
+    for (const [backend, { lookedUp, differ, beyond, unexplained, rays }] of Object.entries(others)) {
       assert.equal(lookedUp, lights.length, backend);
       assert.ok(differ <= most, `${differ} pixels of ${backend} differ`);
       assert.ok(beyond <= mostBeyond, `${beyond} pixels of ${backend} differ that are on no edge`);
       assert.equal(unexplained, 0, `pixels of ${backend} that are on no border by rays either`);
+      if (!rays) continue;
+      assert.ok(rays.compared > 4000 && rays.tinted > 400, `${rays.compared} pixels, ${rays.tinted} of them tinted`);
+      assert.ok(rays.beyond <= 2 && rays.wrong <= 0.04 * rays.compared, `${rays.wrong} of ${rays.compared} pixels are wrong by rays, ${rays.beyond} of them beyond outlines`);
     }
   });
 
@@ -115,6 +121,58 @@ test('movers have the shadows of three.js\'s own map, until another map holds th
   }
 });
 
+test('above a resting light three.js draws the mover alone, and lights say what they have, and why', async () => {
+  const told = await inPage(async (tools) => {
+    const { three } = tools, at = { width: 160, height: 120 };
+    const { scene, box } = tools.yard(), camera = tools.cameraOf(tools.yardView), renderer = await tools.rendererOf('WebGL', at);
+    const pane = tools.meshOf(new three.PlaneGeometry(1, 1), new three.MeshLambertMaterial({ transparent: true, opacity: 0.5, colorWrite: false, depthWrite: false }), [1.5, 2, 1.5]);
+    pane.rotation.x = -1.5;
+    const [light, target] = tools.lampOf('DirectionalLight', [2.5, 5, -1.5]);
+    scene.add(pane, light, target);
+    const shadows = tools.shadowsOf(renderer, { transparentCast: 'tint' }).add(scene), ways = {};
+    /** Draws while act() changes things, for some of the page's milliseconds or until a light has this reason. */
+    const draws = async (step, wanted, act = () => {}) => {
+      const had = ways[step] = new Set();
+      for (const since = Date.now(); Date.now() - since < 30000 && !had.has(wanted);) {
+        act();
+        shadows.render(scene, camera);
+        const [{ method, reason }] = shadows.lights;
+        had.add(`${method}: ${reason}`);
+        await new Promise((resolve) => { setTimeout(resolve, 100); });
+      }
+      return tools.redOf(renderer, () => shadows.render(scene, camera));
+    };
+    const whole = 'lookup: it rests, and so do all casters', untinted = 'see-through casters that tint nothing meanwhile: 1';
+    await draws('start', whole);
+    const moving = await draws('box moves', "lookup and movers: three.js's own map has the casters that came or moved lately: 1", () => { box.position.x += 0.01; });
+    const exact = await draws('box rests', whole);
+    await draws('pane moves', `lookup and movers: it rests, and other casters, too; ${untinted}`, () => { pane.position.x += 0.01; });
+    await draws('pane rests', whole);
+    await draws('light moves', `map: it has moved within half a second; ${untinted}`, () => { light.position.x += 0.01; });
+    // The mover's shadow is three.js's; others are exact.
+    const ray = new three.Raycaster(), beam = new three.Ray(), told = { near: 0, far: 0 };
+    beam.direction.set(2.5, 5, -1.5).normalize();
+    for (const [i, red] of exact.entries()) {
+      if (Math.abs(red - moving[i]) <= 2) continue;
+      ray.setFromCamera(new three.Vector2(2 * (i % at.width + 0.5) / at.width - 1, 1 - 2 * (Math.floor(i / at.width) + 0.5) / at.height), camera);
+      const [hit] = ray.intersectObjects(scene.children.filter((mesh) => mesh.isMesh && mesh !== pane), false);
+      beam.origin.copy(hit.point);
+      told[beam.distanceToPoint(box.position) < 1.2 ? 'near' : 'far'] += 1;
+    }
+    shadows.dispose();
+    return { ...told, ways: Object.fromEntries(Object.entries(ways).map(([step, had]) => [step, [...had]])) };
+  });
+  console.log(told);
+  assert.equal(told.far, 0, 'pixels that differ from exact ones away from the mover');
+  assert.ok(told.near > 0, "the mover's shadow is three.js's");
+  assert.ok(!told.ways['box moves'].some((way) => /lately: (?!1$)/.test(way)), 'no other caster has it');
+  const last = Object.fromEntries(Object.entries(told.ways).map(([step, had]) => [step, had.at(-1)]));
+  const whole = 'lookup: it rests, and so do all casters', untinted = 'see-through casters that tint nothing meanwhile: 1';
+  assert.deepEqual(last, { start: whole, 'box moves': "lookup and movers: three.js's own map has the casters that came or moved lately: 1", 'box rests': whole,
+    'pane moves': `lookup and movers: it rests, and other casters, too; ${untinted}`, 'pane rests': whole, 'light moves': `map: it has moved within half a second; ${untinted}` });
+  assert.ok(told.ways['box moves'].includes(`map: casters have come, gone or started to move within half a second; ${untinted}`));
+});
+
 test('views of an ArrayCamera are looked up as by cameras of their own', async () => {
   const told = await inPage(async (tools) => {
     const { three } = tools, half = { width: 100, height: 120 };
@@ -124,7 +182,7 @@ test('views of an ArrayCamera are looked up as by cameras of their own', async (
       const drawn = async (camera, at) => {
         const { scene } = tools.yard();
         scene.add(...tools.lampOf('DirectionalLight', [0.5, 1, -0.3]));
-        return (await tools.lookedUp(backend, scene, camera, { at })).red;
+        return (await tools.lookedUp(backend, scene, camera, { at })).channels[0];
       };
       const single = [await drawn(cameras[0], half), await drawn(cameras[1], half)];
       for (const [i, camera] of cameras.entries()) camera.viewport = new three.Vector4(100 * i, 0, 100, 120);
@@ -138,6 +196,77 @@ test('views of an ArrayCamera are looked up as by cameras of their own', async (
   console.log(told);
   for (const views of Object.values(told))
     for (const { dark, differ } of views) assert.ok(dark > 1000 && dark < 11000 && differ <= 2, `${differ} pixels differ, ${dark} are dark`);
+});
+
+test('a CubeCamera is updated with shadows in all of its sides', async () => {
+  const told = await inPage(async (tools) => {
+    const { three } = tools, at = { width: 48, height: 48 }, sides = {};
+    for (const backend of ['WebGL', 'WebGPU']) {
+      const renderer = await tools.rendererOf(backend, at), target = new tools.CubeRenderTarget(48), cube = new three.CubeCamera(0.1, 50, target);
+      const { scene } = tools.yard();
+      const [light, sunTarget] = tools.lampOf('DirectionalLight', [2.5, 5, -1.5]);
+      cube.position.set(-0.4, 2.2, 1.2);
+      scene.add(cube, light, sunTarget);
+      const shadows = tools.shadowsOf(renderer).add(scene);
+      await tools.rested(shadows, scene, cube);
+      shadows.render(scene, cube);
+      const darkOf = (rgba) => rgba.reduce((sum, value, i) => sum + (i % 4 === 0 && value < 20), 0);
+      const sideOf = async (i) => darkOf(await renderer.readRenderTargetPixelsAsync(target, 0, 0, 48, 48, 0, i));
+      sides[backend] = [];
+      for (const [i, camera] of cube.children.entries()) {
+        const cubeSide = await sideOf(i);
+        renderer.setRenderTarget(new tools.RenderTarget(48, 48));
+        shadows.render(scene, camera);
+        const alone = darkOf(await renderer.readRenderTargetPixelsAsync(renderer.getRenderTarget(), 0, 0, 48, 48));
+        sides[backend].push([cubeSide, alone]);
+      }
+      sides[backend].method = shadows.lights[0].method;
+      shadows.dispose();
+      light.castShadow = false;
+      cube.update(renderer, scene);
+      for (const [i, side] of sides[backend].entries()) side.push(await sideOf(i));
+    }
+    return { sides, methods: Object.values(sides).map(({ method }) => method) };
+  });
+  console.log(JSON.stringify(told));
+  assert.deepEqual(told.methods, ['lookup', 'lookup']);
+  for (const [backend, all] of Object.entries(told.sides)) {
+    assert.equal(all.length, 6);
+    for (const [cubeSide, alone] of all) assert.ok(Math.abs(cubeSide - alone) <= 4, `${backend}: ${cubeSide} and ${alone} pixels are dark`);
+    assert.ok(all.some(([cubeSide, , unshadowed]) => cubeSide > unshadowed + 100), 'a side has shadows');
+  }
+});
+
+test("the README's lines draw exact shadows, with a RenderPipeline, too", async () => {
+  const [lines, pipelineLines] = blocksOf('`edgeshade/three-webgpu`', 'js');
+  const { told } = await inPage(async (tools, { plain, piped }) => {
+    navigator.gpu.requestAdapter = () => Promise.resolve(null); // Chromium has no canvas for SwiftShader's WebGPU
+    const at = { width: 160, height: 120 }, { scene } = tools.yard(), camera = tools.cameraOf(tools.yardView, at);
+    const [light, target] = tools.lampOf('DirectionalLight', [2.5, 5, -1.5]);
+    scene.add(light, target);
+    Object.assign(window, { scene, camera });
+    const run = (text, names) => import(`data:text/javascript,${encodeURIComponent(`${text}\nexport { ${names} };`)}`);
+    const { renderer, shadows } = await run(plain, 'renderer, shadows');
+    renderer.setPixelRatio(1);
+    renderer.setSize(at.width, at.height);
+    await tools.rested(shadows, scene, camera);
+    renderer.setAnimationLoop(null);
+    const alone = await tools.redOf(renderer, () => shadows.render(scene, camera));
+    Object.assign(window, { renderer, shadows });
+    const { pipeline } = await run(piped, 'pipeline');
+    await new Promise((resolve) => { setTimeout(resolve, 1000); }); // the loop draws
+    renderer.setAnimationLoop(null);
+    const followed = await tools.redOf(renderer, () => { shadows.update(scene, camera); pipeline.render(); });
+    const rays = { localClippingEnabled: false, clippingPlanes: [], getContext: () => ({ drawingBufferWidth: at.width, drawingBufferHeight: at.height }) };
+    const [{ method }] = shadows.lights;
+    const judged = [alone, followed].map((red) => tools.comparedWithRays(red, rays, scene, camera, light));
+    shadows.dispose();
+    return { method, judged };
+  }, { plain: lines, piped: pipelineLines }, [/WebGPU is not available/]);
+  console.log(told);
+  assert.equal(told.method, 'lookup');
+  for (const { surfaces, dark, beyond, wrong } of told.judged)
+    assert.ok(surfaces > 8000 && dark > 1000 && beyond <= 1 && wrong <= 0.02 * surfaces, `${wrong} of ${surfaces} pixels are wrong, ${beyond} beyond outlines`);
 });
 
 test('a radius softens shadows until it is 0 again, and is three.js\'s own map while casters move', async () => {
@@ -237,7 +366,7 @@ test('alpha is read back texel by texel: a map\'s alpha, and the red of an alpha
           const texture = new tools.three.DataTexture(data, width, height);
           texture.needsUpdate = true;
           const alpha = await new Promise((resolve) => {
-            new TexelReading(renderer, { addTexels: (texels) => resolve(texels.alpha) }).of(texture, null, channel);
+            new TexelReading(renderer, { addTexels: (texels) => resolve(texels.alpha) }).of(texture, texture, channel);
             setTimeout(() => resolve([]), 10000);
           });
           wrong[`${backend} ${width} ${channel}`] = alpha.filter((value, i) => value !== 16 * data[4 * i + place]).length + Math.abs(alpha.length - width * height);
@@ -245,6 +374,74 @@ test('alpha is read back texel by texel: a map\'s alpha, and the red of an alpha
     }
     return wrong;
   });
+  for (const [name, count] of Object.entries(wrong)) assert.equal(count, 0, name);
+});
+
+test('a page that draws on demand reads all textures, and is settled then', async () => {
+  const told = await inPage(async (tools) => {
+    const scene = tools.sheets(), camera = tools.cameraOf(tools.yardView), renderer = await tools.rendererOf('WebGL', { width: 80, height: 60 });
+    scene.add(...tools.lampOf('DirectionalLight', [0.1, 1, 0.2]));
+    const shadows = tools.shadowsOf(renderer, { transparentCast: 'tint' }).add(scene);
+    let asked = 0, frames = 0;
+    const draw = () => {
+      asked = 0;
+      frames += 1;
+      shadows.render(scene, camera);
+    };
+    shadows.addEventListener('change', () => { asked ||= requestAnimationFrame(draw); });
+    draw();
+    const settled = await Promise.race([shadows.settled.then(() => true), new Promise((resolve) => { setTimeout(resolve, 60000, false); })]);
+    const [{ method }] = shadows.lights;
+    shadows.dispose();
+    return { settled, method, frames };
+  });
+  console.log(told);
+  assert.deepEqual([told.settled, told.method], [true, 'lookup']);
+  assert.ok(told.frames < 12, `${told.frames} frames`);
+});
+
+test('products of textures are read back texel by texel, and again when one of them changes', async () => {
+  const wrong = await inPage(async (tools) => {
+    const { TexelReading } = await import('/three-webgpu/texel-reading.js'), { nodeProducts } = await import('/three-webgpu/node-products.js');
+    const { TextureProducts } = await import('/three/texture-products.js');
+    const textureOf = (width, height, seed) => {
+      const texture = new tools.three.DataTexture(Uint8Array.from({ length: 4 * width * height }, (_, i) => (i * i * seed + 7 * i) % 251), width, height);
+      texture.needsUpdate = true; // it samples nearest texels
+      return texture;
+    };
+    const wrong = {};
+    for (const backend of ['WebGL', 'WebGPU']) {
+      let received;
+      const products = new TextureProducts(nodeProducts), reading = new TexelReading(await tools.rendererOf(backend), { addTexels: (texels) => received(texels.alpha), releaseTexels() {} });
+      const textures = [[11, 7, 31], [22, 7, 17], [11, 14, 5]].map((of) => textureOf(...of)); // alphaMap, map, transmissionMap
+      const geometry = new tools.three.PlaneGeometry();
+      const judge = async (name, tints, expected) => {
+        const { texture, uploaded } = products.of(textures, geometry, tints);
+        const numbers = await new Promise((resolve) => {
+          received = resolve;
+          reading.advance();
+          reading.of(texture, uploaded, tints ? 'colour' : 'green');
+          setTimeout(() => resolve([]), 10000);
+        });
+        const { width, height } = texture.image;
+        wrong[`${backend} ${name}`] = Math.abs(numbers.length - (tints ? 3 : 1) * width * height);
+        for (const [i, number] of numbers.entries()) {
+          const layer = Math.floor(i / width / height), row = Math.floor(i / width) % height, column = i % width;
+          const at = ({ image }, k) => image.data[4 * (Math.floor((row + 0.5) / height * image.height) * image.width + Math.floor((column + 0.5) / width * image.width)) + k] / 255;
+          wrong[`${backend} ${name}`] += Math.abs(number - 4080 * expected(textures.map((one) => (k) => at(one, k)), layer)) > 0.6;
+        }
+      };
+      const through = ([alpha, map, transmission], layer) => map(layer) * (1 - 0.8 * alpha(0) * map(3) * (1 - 0.9 * transmission(0)));
+      await judge('alpha', null, ([alpha, map]) => alpha(0) * map(3));
+      await judge('colour', { opacity: 0.8, transmission: 0.9 }, through);
+      await judge('opaque', { opacity: -1, transmission: 0.6 }, ([, map, transmission], layer) => map(layer) * 0.6 * transmission(0));
+      textures[1].image.data.fill(90);
+      textures[1].needsUpdate = true;
+      await judge('changed', { opacity: 0.8, transmission: 0.9 }, through);
+    }
+    return wrong;
+  });
+  assert.equal(Object.keys(wrong).length, 8);
   for (const [name, count] of Object.entries(wrong)) assert.equal(count, 0, name);
 });
 
@@ -270,8 +467,13 @@ test('leaves that move, and those whose alpha is not known, have the shadows of 
       mesh.name = name;
       scene.add(mesh);
     };
+    card('wire', tools.white({ wireframe: true }));
     card('target', tools.white({ map: new tools.RenderTarget(4, 4).texture }));
     card('nodes', Object.assign(new tools.MeshBasicNodeMaterial(), { opacityNode: tools.float(0.8) }));
+    const pane = tools.meshOf(new tools.three.PlaneGeometry(0.4, 0.4), Object.assign(new tools.MeshBasicNodeMaterial(), { transparent: true, colorNode: tools.float(0.8) }), [-2, 1.4, 2]);
+    pane.name = 'pane';
+    scene.add(pane);
+    shadows.transparentCast = 'tint';
     for (const since = Date.now(); Date.now() - since < 60000 && shadows.lights[0].method !== 'lookup and movers';) {
       await new Promise((resolve) => { setTimeout(resolve, 100); });
       shadows.render(scene, camera);
@@ -279,15 +481,17 @@ test('leaves that move, and those whose alpha is not known, have the shadows of 
     told.methods.push(shadows.lights[0].method);
     shadows.dispose();
     return told;
-  }, null, [/^Alpha-tested mesh/]);
+  }, null, [/^(Alpha-tested m|See-through m|M)esh/]);
   console.log(told, reports);
   const { none, whole, exact, moving } = told;
   assert.ok(none + 300 < exact && exact + 300 < whole, 'leaves and their holes are many pixels');
   assert.ok(none + 300 < moving && moving + 300 < whole, `${moving} pixels are dark where leaves move`);
   assert.deepEqual(told.methods, ['map', 'lookup and movers']);
-  assert.deepEqual([...reports].filter((text) => text.startsWith('Alpha')).sort(), [
+  assert.deepEqual([...reports].filter((text) => /[Mm]esh '/.test(text)).sort(), [
     "Alpha-tested mesh 'nodes' has the shadow of three.js's own map: nodes compute its alpha.",
-    "Alpha-tested mesh 'target' has the shadow of three.js's own map: its texture may change in every frame."]);
+    "Alpha-tested mesh 'target' has the shadow of three.js's own map: its texture may change in every frame.",
+    "Mesh 'wire' has the shadow of three.js's own map: its material is a wireframe.",
+    "See-through mesh 'pane' tints without what nodes compute of it."]);
 });
 
 test('lights have their own shadow nodes and maps\' sizes again afterwards, and bad choices are refused', async () => {
@@ -321,4 +525,15 @@ test('lights have their own shadow nodes and maps\' sizes again afterwards, and 
 test('releases of three.js that bind no textures again are refused', () => {
   for (const revision of ['187', '188dev', '200']) requireRelease(revision);
   assert.throws(() => requireRelease('186'), { message: 'ExactShadows of edgeshade/three-webgpu needs r187 of three.js or later, not r186.' });
+});
+
+test('devices whose fragment shaders have no 32-bit numbers are refused', () => {
+  const backendOf = (floats, integers) => ({ isWebGLBackend: true,
+    gl: { FRAGMENT_SHADER: 1, HIGH_FLOAT: 2, HIGH_INT: 3, getShaderPrecisionFormat: (stage, kind) => (kind === 2 ? floats : integers) } });
+  const full = { precision: 23, rangeMin: 127, rangeMax: 127 }, whole = { precision: 0, rangeMin: 31, rangeMax: 30 };
+  requireFloats(backendOf(full, whole));
+  requireFloats({ isWebGPUBackend: true });
+  assert.throws(() => requireFloats(backendOf({ precision: 16, rangeMin: 62, rangeMax: 62 }, whole)),
+    { message: "ExactShadows needs fragment shaders with 32-bit floats: this device's have 16 binary digits, and exponents from -62 to 62." });
+  assert.throws(() => requireFloats(backendOf(full, { rangeMax: 15 })), { message: "ExactShadows needs fragment shaders with 32-bit integers: this device's have 16 bits." });
 });

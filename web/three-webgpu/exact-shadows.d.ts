@@ -1,6 +1,6 @@
 /** Exact shadows in three.js's WebGPURenderer. */
 
-import type { Camera, Light, Mesh, Object3D } from 'three';
+import type { Camera, CubeCamera, Light, Mesh, Object3D } from 'three';
 import type { Renderer } from 'three/webgpu';
 import type { AlphaTestedCast, CellSunHours, SunHoursOptions, TransparentCast, VertexSunHours } from '../three/exact-shadows.js';
 
@@ -26,10 +26,10 @@ export interface LightShadow {
   light: Light;
   /**
    * 'lookup': its map alone; 'lookup and movers': its map, and three.js's own map of the casters that
-   * came or moved lately; 'map': three.js's own map of all casters.
+   * it lacks, as they came or moved lately; 'map': three.js's own map of all casters.
    */
   method: 'lookup' | 'lookup and movers' | 'map';
-  /** A clause. */
+  /** A clause; with the number of casters that come from three.js's own map, and of those that tint nothing. */
   reason: string;
 }
 
@@ -60,7 +60,7 @@ export class ExactShadows extends EventTarget {
    * their triangles; 'none': nothing. three.js's own maps have holes as three.js draws them.
    */
   alphaTestedCast: NodeAlphaTestedCast;
-  /** As in edgeshade/three; three.js's own maps have no tints. */
+  /** As in edgeshade/three, textures included, but for an alphaMap's red; three.js's own maps have no tints. */
   transparentCast: TransparentCast;
 
   /** Includes everything below an object from now on, including later additions. */
@@ -72,13 +72,13 @@ export class ExactShadows extends EventTarget {
    */
   setRadius(light: Light, radius: number): this;
 
-  /** Use it in place of renderer.render(). */
-  render(scene: Object3D, camera: Camera): void;
+  /** Use it in place of renderer.render(). A CubeCamera is updated. */
+  render(scene: Object3D, camera: Camera | CubeCamera): void;
   /**
    * Follows the scene for your own render() right after it, such as a RenderPipeline's; returns whether
    * any light is looked up.
    */
-  update(scene: Object3D, camera: Camera): boolean;
+  update(scene: Object3D, camera: Camera | CubeCamera): boolean;
 
   /** Resolves once everything in the last picture has its shadows. Throws any error. */
   ready(): Promise<void>;

@@ -9,14 +9,16 @@ import { boxAround } from '../three/receiver-box.js';
 import { RestingLights } from '../three/resting-lights.js';
 import { castingLights } from '../three/scene-lights.js';
 import { isSeeThrough } from '../three/see-through.js';
+import { TextureProducts } from '../three/texture-products.js';
 import { ancestorTakesPart, visibleOf } from '../three/visible-objects.js';
 import { Warnings } from '../three/warnings.js';
 import { ShadowMasks } from '../masks/shadow-masks.js';
 import { GroupClippings } from './group-clippings.js';
 import { LightShadows } from './light-shadows.js';
 import { memoryContext } from './memory-context.js';
-import { NodeAlphaTests } from './node-alpha-tests.js';
-import { requireRelease } from './release.js';
+import { NodeAlphaTests, otherwise } from './node-alpha-tests.js';
+import { nodeProducts } from './node-products.js';
+import { requireFloats, requireRelease } from './requirements.js';
 import { TexelReading } from './texel-reading.js';
 
 export { version } from '../element/version.js';
@@ -39,6 +41,7 @@ export class ExactShadows extends EventTarget {
   #casters = null;
   #resting = null;
   #texels = null;
+  #products = new TextureProducts(nodeProducts);
   #shadows;
   #warnings = new Warnings();
   #lights = []; // {light: three.js's, numbers: MaskLight} of the last picture
@@ -64,12 +67,14 @@ export class ExactShadows extends EventTarget {
     this.#mostLookedUp = lookups;
     this.#hadShadows = renderer.shadowMap.enabled;
     renderer.shadowMap.enabled = true; // otherwise three.js asks no shadow node
-    this.#shadows = new LightShadows((mesh, light) => this.#casters?.castingOf(mesh, this.#resting.heldSinceOf(light)) ?? 0,
-      (material) => this.#casts(material));
+    this.#shadows = new LightShadows((mesh, light, map) => this.#casters?.castingOf(mesh, this.#heldBy(light, map)) === 2, (material) => this.#casts(material),
+      (mesh, light, map) => Boolean(this.#casters?.lacksTint(mesh, this.#heldBy(light, map))));
     this.#readiness = new Readiness(this.#start(), this.#progress, () => this.#casters, (message) => this.#tell(message));
   }
 
   async #start() {
+    await this.#renderer.init();
+    requireFloats(this.#renderer.backend);
     const masks = await ShadowMasks.create(memoryContext(), { keepsState: false });
     if (this.#disposed) {
       masks.dispose();
@@ -77,7 +82,8 @@ export class ExactShadows extends EventTarget {
     }
     this.#masks = masks;
     this.#texels = new TexelReading(this.#renderer, masks);
-    this.#casters = new Casters(masks, new NodeAlphaTests(this.#texels), new GroupClippings(), this.#warnings, { touched() {}, failed: (message) => this.#tell(message) });
+    this.#casters = new Casters(masks, new NodeAlphaTests(this.#texels, this.#products), new GroupClippings(), this.#warnings, {
+      touched() {}, failed: (message) => this.#tell(message), otherwise: () => otherwise });
     this.#resting = new RestingLights(masks, this.#mostLookedUp, () => {});
     this.#progress.invalidate();
   }
@@ -148,10 +154,11 @@ export class ExactShadows extends EventTarget {
     return this.#lights.map(({ light }) => this.#shadows.methodOf(light, this.#resting?.methodOf(light)));
   }
 
-  /** Use it in place of renderer.render(). */
+  /** Use it in place of renderer.render(), or of a CubeCamera's update(). */
   render(scene, camera) {
     this.update(scene, camera);
-    this.#renderer.render(scene, camera);
+    if (camera.isCamera) this.#renderer.render(scene, camera);
+    else camera.update(this.#renderer, scene);
   }
 
   /** Follows the scene for the host's own render() right after it; returns whether any light is looked up. */
@@ -179,7 +186,7 @@ export class ExactShadows extends EventTarget {
     this.#casters = null;
     this.#resting?.forget();
     this.#resting = null;
-    this.#texels?.dispose();
+    this.#texels?.forget();
     this.#masks?.dispose();
     this.#masks = null;
   }
@@ -190,12 +197,20 @@ export class ExactShadows extends EventTarget {
     return isAlphaTested(material) ? this.alphaTestedCast !== 'none' : !isSeeThrough(material) || this.transparentCast === 'opaque';
   }
 
+  /** RestingLights.heldBy() of a light's map, which without movers holds all that the engine has; without a map none. */
+  #heldBy(light, map) {
+    if (map?.movers > 0) return this.#resting.heldBy(light);
+    const all = map ? Infinity : -Infinity;
+    return { changed: all, moved: all };
+  }
+
   /** Follows the scene's current state. Returns the lights and meshes that the camera sees. */
   #follow({ scene, camera }) {
     if (scene.matrixWorldAutoUpdate !== false) scene.updateMatrixWorld();
     if (camera.parent === null && camera.matrixWorldAutoUpdate !== false) camera.updateMatrixWorld();
     const seen = visibleOf(scene, camera, ancestorTakesPart(scene, this.#roots) ? new Set([scene]) : this.#roots);
     this.#texels?.advance();
+    this.#products.advance();
     this.#casters?.follow(seen.meshes, this.alphaTestedCast, this.transparentCast);
     if (seen.lights.some((light) => light.castShadow && this.#radii.get(light) > 0))
       this.#masks?.setReceivers(...boxAround(seen.meshes.filter((mesh) => mesh.receiveShadow && !this.#casters.has(mesh))));
@@ -216,7 +231,7 @@ export class ExactShadows extends EventTarget {
   #standing(maps = this.#maps) {
     const shown = maps.map((map) => map && `${map.id} ${map.movers}`);
     const waits = this.#resting.isWaiting(this.#lights) ? lightWait : Infinity;
-    return { state: this.#isSettled ? `${this.#masks.casterState} ${shown}` : '', wait: !this.#isSettled || this.#resting.isUploading ? stepWait : waits };
+    return { state: this.#isSettled ? `${this.#masks.casterState} ${shown}` : `${this.#texels.count}`, wait: !this.#isSettled || this.#resting.isUploading ? stepWait : waits };
   }
 
   /** Reports what stays wrong. */

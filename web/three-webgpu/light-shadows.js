@@ -9,18 +9,21 @@ const compileAgain = (light) => light.dispose();
 const passes = ({ material }, which, test) => (Array.isArray(material) ? material[which](test) : test(material));
 
 export class LightShadows {
-  #castingOf;
+  #isHeld;
   #casts;
+  #lacksTint;
   #cast = new WeakMap(); // by mesh: whether all of it cast in the last picture
-  #nodes = new Map(); // by light: {node, before: its shadow node before, others: casters for three.js's own map}
+  #nodes = new Map(); // by light: {node, before: its shadow node before, others: casters for three.js's own map; untinted: number of meshes}
 
   /**
-   * `castingOf(mesh, light)`: as Casters.castingOf(), since the light's map holds casters;
-   * `casts(material)`: whether its surfaces cast, if their mesh does.
+   * `isHeld(mesh, light, map)`: whether all of a mesh casts, and the light's map of RestingLights holds it;
+   * `casts(material)`: whether its surfaces cast, if their mesh does; `lacksTint(mesh, light, map)`: whether it is
+   * to tint the light, and that map, or null, lacks it.
    */
-  constructor(castingOf, casts) {
-    this.#castingOf = castingOf;
+  constructor(isHeld, casts, lacksTint) {
+    this.#isHeld = isHeld;
     this.#casts = casts;
+    this.#lacksTint = lacksTint;
   }
 
   /** Whether all of a mesh casts. */
@@ -36,18 +39,20 @@ export class LightShadows {
     for (const [i, light] of lights.entries()) {
       const entry = this.#nodes.get(light) ?? this.#attach(light);
       if (entry.node.require({ ...wanted, soft: maps[i] ? maps[i].places[1] > 0 : undefined })) compileAgain(light);
-      const held = maps[i]?.movers > 0 ? 2 : 1; // of castingOf(): without movers the map holds all that the engine has
-      entry.others = maps[i] ? casting.filter((mesh) => this.#castingOf(mesh, light) < held) : casting;
+      entry.others = maps[i] ? casting.filter((mesh) => !this.#isHeld(mesh, light, maps[i])) : casting;
+      entry.untinted = meshes.filter((mesh) => this.#lacksTint(mesh, light, maps[i])).length;
       entry.node.show(maps[i], entry.others, changed);
     }
   }
 
   /** How a light is shadowed, and why. `resting`: RestingLights.methodOf() of it. */
   methodOf(light, resting) {
-    const { others } = this.#nodes.get(light);
-    if (!resting) return { light, method: 'map', reason: 'meshes are being prepared' };
-    if (resting.method === 'mask') return { light, method: 'map', reason: resting.reason };
-    return others.length === 0 ? { light, method: 'lookup', reason: 'it rests, and so do all casters' } : { light, method: 'lookup and movers', reason: `three.js's own map has the casters that came or moved lately: ${others.length}` };
+    const { others, untinted } = this.#nodes.get(light);
+    const told = (method, reason) => ({ light, method, reason: untinted > 0 ? `${reason}; see-through casters that tint nothing meanwhile: ${untinted}` : reason });
+    if (!resting) return told('map', 'meshes are being prepared');
+    if (resting.method === 'mask') return told('map', resting.reason);
+    if (others.length > 0) return told('lookup and movers', `three.js's own map has the casters that came or moved lately: ${others.length}`);
+    return untinted > 0 ? told('lookup and movers', 'it rests, and other casters, too') : told('lookup', 'it rests, and so do all casters');
   }
 
   clear() {
@@ -66,7 +71,7 @@ export class LightShadows {
   }
 
   #attach(light) {
-    const entry = { node: new LightShadowNode(light, (mesh) => this.#allCasts(mesh)), before: light.shadow.shadowNode, others: [] };
+    const entry = { node: new LightShadowNode(light, (mesh) => this.#allCasts(mesh)), before: light.shadow.shadowNode, others: [], untinted: 0 };
     this.#nodes.set(light, entry);
     light.shadow.shadowNode = entry.node;
     compileAgain(light);

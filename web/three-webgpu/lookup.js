@@ -7,6 +7,7 @@ import { isSolid } from './cutouts.js';
 import { floatSum, isAtLeastZero } from './exact-sign.js';
 import { longest } from './map-nodes.js';
 import { pointsLeft } from './points.js';
+import { takeTint } from './tints.js';
 
 /** Levels of divided texels, or more. */
 const mostLevels = 64;
@@ -111,17 +112,11 @@ function meeting(map, record, ray, point, directional, tints) {
     tolerance: slope.add(1).mul(64 * unit).toVar(), next: first.add(uint(3)) };
 }
 
-/** Multiplies `tint` by a tinted triangle's; a ray on an edge belongs to one of the two neighbours (C38). */
-function takeTint({ beside, height, tolerance }, owner, color, tint) {
-  const owns = ['x', 'y', 'z'].map((axis) => beside[axis].greaterThan(0).or(owner[axis].greaterThan(0.5))).reduce((all, one) => all.and(one));
-  If(owns.and(height.greaterThan(tolerance)), () => { tint.mulAssign(color.xyz); });
-}
-
 /** Takes the tint of a triangle that blocks nothing for it, or lets the light through its holes: changes `met`. */
 function takeAlpha(map, met, ray, directional, { tint, cutouts }) {
   const first = map.record(met.next).toVar(), look = map.record(uint(first.w).mul(uint(3))).toVar();
   const isTinted = look.w.lessThan(0).toVar();
-  if (tint) If(isTinted, () => { takeTint(met, first, look, tint); });
+  if (tint) If(isTinted, () => { takeTint(map, met, first, look, { ray, directional, tint }); });
   if (tint) met.meets.assign(met.meets.and(isTinted.not()));
   if (cutouts) If(met.meets, () => { met.meets.assign(isSolid(map, met, first, look, ray, directional)); });
 }

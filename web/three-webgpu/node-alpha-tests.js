@@ -2,23 +2,24 @@
 
 import { AlphaTests } from '../three/alpha-tests.js';
 
-const otherwise = "has the shadow of three.js's own map";
+/** The lot of meshes that the mask engine can't have as they are drawn: a verb with its object. */
+export const otherwise = "has the shadow of three.js's own map";
 
 /** A texture that three.js can upload now, or null. */
 const uploadable = (texture) => (texture.isRenderTargetTexture || (texture.version > 0 && texture.image && texture.image.complete !== false) ? texture : null);
 
-/** Lookups of a WebGPURenderer sample no product of several textures. */
-const noProducts = { of: () => null };
-
 /** Whether nodes take the place of what a material's textures and opacity say of its alpha. */
 const hasOwnAlpha = ({ colorNode, opacityNode, alphaTestNode, maskNode, fragmentNode }) => Boolean(colorNode ?? opacityNode ?? alphaTestNode ?? maskNode ?? fragmentNode);
+
+/** The same of what it lets through. */
+const hasOwnTint = (material) => Boolean(hasOwnAlpha(material) || material.transmissionNode);
 
 export class NodeAlphaTests {
   #tests;
 
-  /** `reading`: a TexelReading. */
-  constructor(reading) {
-    this.#tests = new AlphaTests(uploadable, reading, noProducts, otherwise);
+  /** `reading`: a TexelReading; `products`: TextureProducts. */
+  constructor(reading, products) {
+    this.#tests = new AlphaTests(uploadable, reading, products, otherwise);
   }
 
   /** As AlphaTests.of(). */
@@ -29,6 +30,7 @@ export class NodeAlphaTests {
 
   /** As AlphaTests.tintOf(). */
   tintOf(mesh) {
-    return this.#tests.tintOf(mesh);
+    const tint = this.#tests.tintOf(mesh);
+    return hasOwnTint(mesh.material) ? { ...tint, why: 'tints without what nodes compute of it' } : tint;
   }
 }

@@ -59,29 +59,29 @@ export class AlphaTests {
     const alpha = { texture: null, channel: 'alpha', opacity: material.opacity, cutoff: material.alphaTest,
       texcoordTransform: [1, 0, 0, 0, 1, 0, 0, 0, 1], cutsOut, texels: null, why: '' };
     if (!texture) return alpha;
-    const webGlTexture = this.#uploaded(texture);
+    const uploaded = this.#uploaded(texture);
     if (texture === material.alphaMap) {
       alpha.channel = 'green';
-      if (!webGlTexture) alpha.opacity = 0; // fully transparent: three.js samples black for what
+      if (!uploaded) alpha.opacity = 0; // fully transparent: three.js samples black for what
                                             // isn't loaded yet
     }
-    if (!webGlTexture) return { ...alpha, cutsOut: false };
+    if (!uploaded) return { ...alpha, cutsOut: false };
     if (texture.matrixAutoUpdate) texture.updateMatrix();
-    const single = { texture, webGlTexture, texcoordTransform: [...texture.matrix.elements] };
+    const single = { texture, uploaded, texcoordTransform: [...texture.matrix.elements] };
     const { waits, product, without } = this.#productOf(material, geometry);
     const { texture: sampled, ...used } = product ?? single;
-    Object.assign(alpha, { texture: used.webGlTexture, texcoordTransform: used.texcoordTransform });
+    Object.assign(alpha, { texture: used.uploaded, texcoordTransform: used.texcoordTransform });
     if (!cutsOut) return alpha;
-    const { number, why } = this.#reading.of(sampled, used.webGlTexture, alpha.channel);
+    const { number, why } = this.#reading.of(sampled, used.uploaded, alpha.channel);
     if (number === null || why || waits) return { ...alpha, cutsOut: false, why: why && `${this.#otherwise}: ${why}` };
     return { ...alpha, texels: number, why: without ? "casts the shadow of its alphaMap alone, without its map's alpha" : '' };
   }
 
   /** {product: of alphaMap and map, if both have alpha; waits: that isn't known yet; without: there can be none}. */
   #productOf({ alphaMap, map }, geometry) {
-    const webGlTexture = alphaMap && map && this.#uploaded(map);
-    if (!webGlTexture) return {};
-    const { number, opaque, why } = this.#reading.of(map, webGlTexture, 'alpha');
+    const uploaded = alphaMap && map && this.#uploaded(map);
+    if (!uploaded) return {};
+    const { number, opaque, why } = this.#reading.of(map, uploaded, 'alpha');
     if (number !== null && opaque) return {};
     const product = number === null ? null : this.#products.of([alphaMap, map, null], geometry);
     return { product, waits: number === null && !why, without: !product };
@@ -97,7 +97,7 @@ export class AlphaTests {
     if (present.length === 0 || !present.every((texture) => this.#uploaded(texture))) return plain;
     const { opacity, transmission = 0 } = material;
     const product = this.#products.of(textures, geometry, { opacity: blends(material) ? opacity : -1, transmission });
-    const read = product && this.#reading.of(product.texture, product.webGlTexture, 'colour');
+    const read = product && this.#reading.of(product.texture, product.uploaded, 'colour');
     if (!product || read.why) return { ...plain, why: tintObstacleOf(geometry, material, textures) };
     if (read.number === null) return plain;
     return { ...plain, tint: colourOf(material), texels: read.number, texcoordTransform: product.texcoordTransform };

@@ -90,7 +90,13 @@ function placesOf(mesh, origin) {
 
 /** The engine's record of a part, which stands for the `whole` mesh. */
 const recordOf = (whole) => ({ whole, key: null, entry: null, ids: [], places: [], alphas: [], tints: [], shown: null, clippings: unclipped,
-  queued: false, round: 0, changed: Infinity }); // `changed`: since when it has been in the engine as it is
+  queued: false, round: 0,
+  changed: Infinity, moves: false }); // when it became what it is in the engine, and whether it was elsewhere or of another shape before
+
+const otherwiseUnmasked = (casts) => `${casts ? 'casts no shadow, and ' : ''}receives only shadows of lights that are looked up`;
+
+/** Whether a map holds what has such a record: see castingOf(). */
+const isHeld = ({ changed, moves }, held) => changed < (moves ? held?.moved : held?.changed);
 
 export class Casters {
   #masks;
@@ -110,6 +116,7 @@ export class Casters {
   #problems = [];
   #parts;
   #warnings;
+  #otherwise;
   #cutsOut = false;
   #tints = false;
   #lacked = false;
@@ -117,11 +124,13 @@ export class Casters {
 
   /**
    * `touched()` is called when the context's state has changed, `failed(sentence)` when a mesh can't
-   * take part. `displacements`: Displacements, or null for none.
+   * take part. `displacements`: Displacements, or null for none; `otherwise(casts)`: what becomes of meshes that the
+   * engine can't have, a verb with its object.
    */
-  constructor(masks, alphaTests, clippings, warnings, { displacements = null, touched, failed }) {
+  constructor(masks, alphaTests, clippings, warnings, { displacements = null, touched, failed, otherwise = otherwiseUnmasked }) {
     this.#masks = masks;
     this.#displacements = displacements;
+    this.#otherwise = otherwise;
     this.#warnings = warnings;
     this.#touched = touched;
     this.#failed = failed;
@@ -142,21 +151,29 @@ export class Casters {
   }
 
   /**
-   * 1: a followed mesh casts with all of its triangles; 2: it has also been as it is since `since`, so
-   * that maps begun later hold it; 0: neither.
+   * 1: a followed mesh casts with all of its triangles; 2: a map holds it, too; 0: neither. `held`: of
+   * RestingLights.heldBy().
    */
-  castingOf(mesh, since) {
+  castingOf(mesh, held) {
     const parts = this.#parts.last(mesh);
-    if (!parts) return this.#castingOfPart(mesh, since);
+    if (!parts) return this.#castingOfPart(mesh, held);
     let casting = 2;
-    for (const part of parts) casting = Math.min(casting, this.#castingOfPart(part, since));
+    for (const part of parts) casting = Math.min(casting, this.#castingOfPart(part, held));
     return casting;
   }
 
-  #castingOfPart(part, since) {
+  #castingOfPart(part, held) {
     const had = this.#meshes.get(part);
     if (!had?.casts && !had?.alphas[0]?.cutsOut) return 0;
-    return had.changed < since ? 2 : 1;
+    return isHeld(had, held) ? 2 : 1;
+  }
+
+  /** Whether some of a mesh is to tint the light, and a map doesn't hold it; `held`: as above. */
+  lacksTint(mesh, held) {
+    return (this.#parts.last(mesh) ?? [mesh]).some((part) => {
+      const had = this.#meshes.get(part);
+      return Boolean(had?.lacked && !had.cutsOut && !isHeld(had, held));
+    });
   }
 
   /** {positions, indices, first} of the drawn part of a mesh, in its own space: see shapeOf(). Displaced, if it can be. */
@@ -245,7 +262,7 @@ export class Casters {
   #isLeftOut(part, { casts }, mesh) {
     const why = whyNotInMasks(part) || (part.material.displacementMap ?
       this.#displacements?.obstacleOf(part) ?? "its material's displacementMap moves vertices in the shader" : '');
-    if (why) this.#warn(mesh, `${casts ? 'casts no shadow, and ' : ''}receives only shadows of lights that are looked up: ${why}`);
+    if (why) this.#warn(mesh, `${this.#otherwise(casts)}: ${why}`);
     return why !== '';
   }
 
@@ -414,6 +431,7 @@ export class Casters {
     const stays = had.shown === number && ids.length === places.length && places.every((matrix, i) => sameNumbers(had.places[i], matrix));
     if (stays) return;
     had.changed = performance.now();
+    had.moves ||= had.shown !== null;
     if (had.lacked && had.shown !== null) this.#cutoutsMoved = had.changed;
     this.#revision += 1;
     while (ids.length > places.length) this.#masks.remove(ids.pop());
@@ -437,7 +455,7 @@ export class Casters {
   #clip(mesh, had) {
     const clippings = this.#clippings.of(mesh.material, mesh);
     if (had.clippings === clippings) return;
-    if ([...had.clippings, ...clippings].some(({ planes, casts }) => planes.length > 0 && !casts)) had.changed = performance.now();
+    if ([...had.clippings, ...clippings].some(({ planes, casts }) => planes.length > 0 && !casts)) Object.assign(had, { changed: performance.now(), moves: true });
     had.clippings = clippings;
     for (const id of had.ids) this.#clipOne(id, clippings);
   }
@@ -466,11 +484,13 @@ export class Casters {
   }
 
   /** Sets the tint of all instances, if it has changed. `material`: a see-through one, or none. */
-  #setTint(mesh, material, { ids, tints, whole }) {
+  #setTint(mesh, material, had) {
+    const { ids, tints, whole } = had;
     const tint = material ? this.#alphaTests.tintOf(mesh) : null;
     for (const [i, id] of ids.entries()) {
       if (tint ? tints[i] && sameTint(tints[i], tint) : !tints[i]) continue;
       this.#masks.setTint(id, tint?.tint ?? null, tint ?? {});
+      had.changed = performance.now();
       tints[i] = tint;
     }
     if (tint?.why) this.#warnings.warn(whole, `See-through mesh '${whole.name}' ${tint.why}.`);

@@ -2,7 +2,8 @@
 
 import { bindOn, drawOver, programOver } from './drawing-over.js';
 import { isPosed } from './mesh-shape.js';
-import { texcoordsOfTexture, uploadedIn } from './texture-products.js';
+import { texcoordsOfTexture } from './texture-products.js';
+import { uploadedIn } from './uploaded-texture.js';
 
 /** Vertices in a row of the picture. */
 const columns = 1024;

@@ -11,6 +11,7 @@ import { mostSlots, slotName } from './lit.glsl.js';
 import { MaskTextures } from './mask-textures.js';
 import { MaskViews } from './mask-views.js';
 import { MaterialPatches } from './material-patch.js';
+import { ProductDrawing } from './product-drawing.js';
 import { Progress } from './progress.js';
 import { Readiness } from './readiness.js';
 import { boxAround } from './receiver-box.js';
@@ -18,7 +19,8 @@ import { needsMask, RestingLights } from './resting-lights.js';
 import { castingLights } from './scene-lights.js';
 import { requireTransparentCast } from './see-through.js';
 import { TexelReading } from './texel-reading.js';
-import { TextureProducts, uploadedIn } from './texture-products.js';
+import { TextureProducts } from './texture-products.js';
+import { uploadedIn } from './uploaded-texture.js';
 import { ancestorTakesPart, visibleOf } from './visible-objects.js';
 import { Warnings } from './warnings.js';
 
@@ -124,7 +126,7 @@ export class ExactShadows extends EventTarget {
         this.#masks = masks;
         this.#resetRenderer();
         this.#texels = new TexelReading(renderer, masks, () => this.#resetRenderer());
-        this.#products = new TextureProducts(renderer, masks, () => this.#resetRenderer());
+        this.#products = new TextureProducts(new ProductDrawing(renderer, masks, () => this.#resetRenderer()));
         this.#displacements = new Displacements(renderer, masks, () => this.#resetRenderer());
         this.#casters = new Casters(masks, new AlphaTests((texture) => uploadedIn(renderer, texture), this.#texels, this.#products), new Clippings(renderer), this.#warnings,
           { displacements: this.#displacements, touched: () => this.#resetRenderer(), failed: (message) => this.#tell(message) });
@@ -337,10 +339,10 @@ export class ExactShadows extends EventTarget {
     }
     const receiving = new Map(); // by material: the least castingOf() of its meshes
     const note = (material, casting) => material && receiving.set(material, Math.min(casting, receiving.get(material) ?? 2));
-    const since = this.#resting?.heldSince;
+    const held = this.#resting?.held;
     for (const mesh of meshes) {
       if (!mesh.receiveShadow) continue;
-      const casting = this.#casters?.castingOf(mesh, since) ?? 0;
+      const casting = this.#casters?.castingOf(mesh, held) ?? 0;
       if (Array.isArray(mesh.material)) for (const material of mesh.material) note(material, casting);
       else note(mesh.material, casting);
       note(scene.overrideMaterial, casting);
@@ -369,7 +371,7 @@ export class ExactShadows extends EventTarget {
     const pending = !this.#isSettled;
     const shown = maps.map((map) => map && `${map.slot} ${map.id} ${map.movers}`);
     const waits = this.#resting.isWaiting(this.#lights) ? lightWait : Infinity;
-    return { state: pending ? '' : `${this.#masks.casterState} ${shown}`, wait: pending || this.#resting.isUploading ? stepWait : waits };
+    return { state: pending ? `${this.#texels.count}` : `${this.#masks.casterState} ${shown}`, wait: pending || this.#resting.isUploading ? stepWait : waits };
   }
 
   #followMaps() {

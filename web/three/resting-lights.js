@@ -120,7 +120,7 @@ export class RestingLights {
       const isKnown = lookup.comparedAt === this.#casterState && lookup.state.holds && lookup.state.movers === 0 && !entry.isSoft;
       if (!isKnown) lookup.state = this.#masks.lookupState(lookup.id, numbers, Math.max(longRestMs, entry.restMs));
       lookup.comparedAt = this.#casterState;
-      if (lookup.state.holds && !(lookup.since < this.cutoutsMoved)) continue;
+      if (lookup.state.holds && !(lookup.held.moved < this.cutoutsMoved)) continue;
       // Casters that rest for less than this are likely to start again.
       if (lookup.map) entry.restMs = Math.min(Math.max(longRestMs, 2 * entry.restMs), longestRestMs);
       this.#remove(entry, which);
@@ -156,11 +156,11 @@ export class RestingLights {
     const abort = new AbortController();
     entry.abort = abort;
     // Meshes that are cut out or tint must not be left out: masks can't show them as movers.
-    const now = performance.now(), rest = entry.isSoft ? 0 : Math.min(entry.restMs, (now - this.cutoutsMoved) / 2), since = now - rest;
+    const now = performance.now(), rest = entry.isSoft ? 0 : Math.min(entry.restMs, (now - this.cutoutsMoved) / 2), held = { changed: now, moved: now - rest };
     try {
       const id = await this.#masks.buildLookup(numbers, { cutouts: true, tints: true, signal: abort.signal, restMs: rest, lightSamples: this.samples });
       if (id === null) return;
-      if (this.#entries.get(light) === entry && !abort.signal.aborted) entry.next = { id, since };
+      if (this.#entries.get(light) === entry && !abort.signal.aborted) entry.next = { id, held };
       else this.#masks.removeLookup(id);
       this.#touched();
     } catch (error) {
@@ -203,14 +203,18 @@ export class RestingLights {
     this.#remove(entry, 'next');
   }
 
-  /** The time, as of performance.now(), since which casters have to rest to be in all maps. */
-  get heldSince() {
-    return Math.min(...[...this.#entries.keys()].map((light) => this.heldSinceOf(light)));
+  /**
+   * {changed, moved}: times, as of performance.now(), before which casters must last have changed to be in all maps,
+   * those that have never moved, and those that have.
+   */
+  get held() {
+    const all = [...this.#entries.keys()].map((light) => this.heldBy(light));
+    return { changed: Math.min(...all.map(({ changed }) => changed)), moved: Math.min(...all.map(({ moved }) => moved)) };
   }
 
-  /** The same of one light's map; Infinity: it has none. */
-  heldSinceOf(light) {
-    return this.#entries.get(light)?.current?.since ?? Infinity;
+  /** The same of one light's map; without a map all casters are. */
+  heldBy(light) {
+    return this.#entries.get(light)?.current?.held ?? { changed: Infinity, moved: Infinity };
   }
 
   /** How a light is shadowed, and why: {method, reason}; null: unknown. */

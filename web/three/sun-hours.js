@@ -160,6 +160,7 @@ function geometryOf({ normals, faceCounts, cornerCounts, corners }, hours, origi
  */
 export async function sunHours(object, casters, options) {
   if (!casters) throw new Error('sunHours() needs a render() before it, whose meshes cast.');
+  if (!object?.isObject3D) fail('object must be a mesh, or with a grid any object of the scene');
   const { signal } = options;
   signal?.throwIfAborted();
   const days = daysOf(options);

@@ -1,7 +1,7 @@
-// Products of several textures of one material, baked into one that masks and lookups sample.
+// Products of several textures of one material, baked into one that masks and lookups sample: how finely, and which
+// are kept.
 
-import { ClampToEdgeWrapping, LinearFilter, Matrix3, MirroredRepeatWrapping, NearestFilter, Vector3 } from 'three';
-import { bindOn, drawOver, programOver } from './drawing-over.js';
+import { ClampToEdgeWrapping, LinearFilter, Matrix3, NearestFilter, Vector3 } from 'three';
 import { sameNumbers } from './mesh-shape.js';
 
 /**
@@ -18,25 +18,6 @@ const tolerance = 1e-4;
 
 /** Frames for which a product is kept that nothing uses. */
 const patience = 300;
-
-const fragmentShader = `#version 300 es
-precision highp float;
-uniform sampler2D alphaMap, map, transmissionMap;
-uniform mat3 placing[ 3 ];
-uniform bvec3 has;
-uniform vec2 size;
-uniform vec3 seeThrough; // opacity, transmission, and 1 for a tint
-out vec4 product;
-void main() {
-	vec3 at = vec3( gl_FragCoord.xy / size, 1.0 );
-	float green = has.x ? textureLod( alphaMap, ( placing[ 0 ] * at ).xy, 0.0 ).g : 1.0;
-	vec4 base = has.y ? textureLod( map, ( placing[ 1 ] * at ).xy, 0.0 ) : vec4( 1.0 );
-	float red = has.z ? textureLod( transmissionMap, ( placing[ 2 ] * at ).xy, 0.0 ).r : 1.0;
-	float alpha = green * base.a;
-	// Opaque materials ignore alpha.
-	float through = 1.0 - ( seeThrough.x < 0.0 ? 1.0 : seeThrough.x * alpha ) * ( 1.0 - seeThrough.y * red );
-	product = seeThrough.z > 0.0 ? vec4( base.rgb * through, 1.0 ) : vec4( alpha );
-}`;
 
 const versionOf = (attribute) => attribute.data?.version ?? attribute.version;
 
@@ -87,37 +68,27 @@ function sizeOf(textures, matrices, layers) {
 const isFixed = ({ image, isVideoTexture, isRenderTargetTexture, isFramebufferTexture }) =>
   image?.width > 0 && !isVideoTexture && !isRenderTargetTexture && !isFramebufferTexture;
 
-/** The WebGLTexture that a renderer uses for the next picture, or null. */
-export function uploadedIn(renderer, texture) {
-  const { image, version } = texture;
-  const kept = renderer.properties.get(texture);
-  const waits = version > 0 && kept.__version !== version && !texture.isRenderTargetTexture;
-  if ((waits || texture.isVideoTexture) && image && image.complete !== false) renderer.initTexture(texture);
-  return kept.__webglTexture ?? null;
-}
-
 /** three.js's name of a texture's coordinates. */
 export const texcoordsOfTexture = (texture) => `uv${texture?.channel || ''}`;
 
 export class TextureProducts {
-  #renderer;
-  #masks;
-  #touched;
-  #kept = new Map(); // by key: {webGlTexture, texture: as TexelReading takes it, drawn: numbers, seen}
+  #drawing;
+  #kept = new Map(); // by key: {uploaded, texture: as TexelReading takes it, drawn: numbers, seen}
   #attributes = new WeakMap(); // {version, box or null, affine: {version, matrix} by other attribute}
   #frame = 0;
-  #program = null;
 
-  /** `touched()` is called when the context's state may have changed. */
-  constructor(renderer, masks, touched) {
-    this.#renderer = renderer;
-    this.#masks = masks;
-    this.#touched = touched;
+  /**
+   * `drawing`: {versionOf(texture): of its texels; begun(): a product without texels, on the GPU; draw(it,
+   * plan), {texture: the product's, as TexelReading takes it, and the new `version` of its texels, and what
+   * #drawn() takes}; freed(it)}, and for forget() and dispose() such functions.
+   */
+  constructor(drawing) {
+    this.#drawing = drawing;
   }
 
   /**
    * The product of a material's alphaMap, map and transmissionMap, null for those it lacks, all uploaded: {texture,
-   * webGlTexture, texcoordTransform of the first one's coordinates}. `tints`: null for alpha, which is in green
+   * uploaded, texcoordTransform of the first one's coordinates}. `tints`: null for alpha, which is in green
    * then, or {opacity, -1 if alpha is ignored; transmission}: for what it lets through, as red, green and blue.
    * Null if there is none: a texture may change in every frame, they have unlike coordinates, or the product
    * would be too large.
@@ -151,8 +122,8 @@ export class TextureProducts {
     }
     if (!size) return null;
     const key = `${textures.map((texture) => texture?.id)} ${tints ? 'tint' : ''} ${repeats ? '' : geometry.uuid}`;
-    const { texture, webGlTexture } = this.#drawn(key, { textures, matrices, size, wraps, seeThrough: [tints?.opacity ?? 1, tints?.transmission ?? 0, tints ? 1 : 0] });
-    return { texture, webGlTexture, texcoordTransform: [...transform.elements] };
+    const { texture, uploaded } = this.#drawn(key, { textures, matrices, size, wraps, seeThrough: [tints?.opacity ?? 1, tints?.transmission ?? 0, tints ? 1 : 0] });
+    return { texture, uploaded, texcoordTransform: [...transform.elements] };
   }
 
   #followed(attribute) {
@@ -175,59 +146,32 @@ export class TextureProducts {
     return affine.get(to).matrix;
   }
 
+  /**
+   * The product of a plan, drawn if it has changed. `matrices` take its coordinates, 0..1, to those of each texture;
+   * `seeThrough`: opacity, -1 if alpha is ignored, transmission, and 1 for a tint.
+   */
   #drawn(key, { textures, matrices, size: [width, height], wraps: [wrapS, wrapT], seeThrough }) {
-    const { properties } = this.#renderer;
-    const gl = this.#renderer.getContext();
     let entry = this.#kept.get(key);
-    if (!entry) this.#kept.set(key, entry = { webGlTexture: gl.createTexture(), texture: { source: {} }, drawn: [], version: 0 });
+    if (!entry) this.#kept.set(key, entry = { uploaded: this.#drawing.begun(), texture: { source: {} }, drawn: [], version: 0 });
     entry.seen = this.#frame;
     const drawn = [width, height, wrapS, wrapT, ...seeThrough, ...textures.flatMap((texture, i) => (texture ?
-      [properties.get(texture.source).__version, texture.wrapS, texture.wrapT, texture.magFilter, ...matrices[i].elements] : []))];
+      [this.#drawing.versionOf(texture), texture.wrapS, texture.wrapT, texture.magFilter, ...matrices[i].elements] : []))];
     if (sameNumbers(entry.drawn, drawn)) return entry;
     const present = textures.filter(Boolean);
     const isNearest = present.every(({ magFilter }) => magFilter === NearestFilter);
     const hasMipmaps = present.some(({ minFilter }) => minFilter !== NearestFilter && minFilter !== LinearFilter);
-    Object.assign(entry, { drawn, version: entry.version + 1 });
-    Object.assign(entry.texture, { image: { width, height }, wrapS, wrapT, magFilter: isNearest ? NearestFilter : LinearFilter });
-    properties.get(entry.texture.source).__version = entry.version;
-    this.#masks.keptWhile(() => this.#draw(gl, entry, { textures, matrices, seeThrough, hasMipmaps }));
-    this.#touched();
+    const { uploaded, texture, version } = Object.assign(entry, { drawn, version: entry.version + 1 });
+    Object.assign(texture, { image: { width, height }, wrapS, wrapT, magFilter: isNearest ? NearestFilter : LinearFilter });
+    this.#drawing.draw(uploaded, { texture, version, textures, matrices, seeThrough, hasMipmaps });
     return entry;
-  }
-
-  #draw(gl, { webGlTexture, texture: { image: { width, height }, wrapS, wrapT, magFilter } }, { textures, matrices, seeThrough, hasMipmaps }) {
-    const program = this.#program ??= programOver(gl, fragmentShader);
-    const wrapOf = (mode) => (mode === ClampToEdgeWrapping ? gl.CLAMP_TO_EDGE : mode === MirroredRepeatWrapping ? gl.MIRRORED_REPEAT : gl.REPEAT);
-    const floats = gl.getExtension('EXT_color_buffer_float'); // 11 bits, else 8
-    const format = !floats ? ['RGBA8', 'RGBA', 'UNSIGNED_BYTE'] : seeThrough[2] ? ['RGBA16F', 'RGBA', 'HALF_FLOAT'] : ['RG16F', 'RG', 'HALF_FLOAT'];
-    const [inner, outer, type] = format.map((name) => gl[name]);
-    bindOn(gl, 0, webGlTexture);
-    gl.bindBuffer(gl.PIXEL_UNPACK_BUFFER, null);
-    gl.texImage2D(gl.TEXTURE_2D, 0, inner, width, height, 0, outer, type, null);
-    const filter = magFilter === NearestFilter ? gl.NEAREST : gl.LINEAR;
-    for (const [name, value] of [['MAG_FILTER', filter], ['MIN_FILTER', hasMipmaps ? gl.LINEAR_MIPMAP_LINEAR : filter], ['WRAP_S', wrapOf(wrapS)], ['WRAP_T', wrapOf(wrapT)]])
-      gl.texParameteri(gl.TEXTURE_2D, gl[`TEXTURE_${name}`], value);
-    drawOver(gl, program, webGlTexture, [width, height], (at) => {
-      gl.uniform2f(at('size'), width, height);
-      gl.uniform3f(at('seeThrough'), ...seeThrough);
-      gl.uniform3i(at('has'), ...textures.map(Boolean));
-      gl.uniformMatrix3fv(at('placing'), false, matrices.flatMap(({ elements }) => elements));
-      for (const [unit, name] of ['alphaMap', 'map', 'transmissionMap'].entries()) {
-        const texture = textures[unit];
-        gl.uniform1i(at(name), unit);
-        bindOn(gl, unit, texture && this.#renderer.properties.get(texture).__webglTexture);
-      }
-    });
-    bindOn(gl, 0, webGlTexture);
-    if (hasMipmaps) gl.generateMipmap(gl.TEXTURE_2D);
   }
 
   /** Call it once a frame: frees what nothing uses. */
   advance() {
     this.#frame += 1;
-    for (const [key, { seen, webGlTexture }] of this.#kept) {
+    for (const [key, { seen, uploaded }] of this.#kept) {
       if (this.#frame - seen < patience) continue;
-      this.#renderer.getContext().deleteTexture(webGlTexture);
+      this.#drawing.freed(uploaded);
       this.#kept.delete(key);
     }
   }
@@ -235,13 +179,12 @@ export class TextureProducts {
   /** Called when the context is lost. */
   forget() {
     this.#kept.clear();
-    this.#program = null;
+    this.#drawing.forget();
   }
 
   dispose() {
-    const gl = this.#renderer.getContext();
-    if (this.#program) gl.deleteProgram(this.#program);
-    for (const { webGlTexture } of this.#kept.values()) gl.deleteTexture(webGlTexture);
-    this.forget();
+    for (const { uploaded } of this.#kept.values()) this.#drawing.freed(uploaded);
+    this.#kept.clear();
+    this.#drawing.dispose();
   }
 }

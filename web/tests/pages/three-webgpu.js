@@ -2,19 +2,21 @@
 
 import * as three from 'three';
 import { float } from 'three/tsl';
-import { ClippingGroup, MeshBasicNodeMaterial, RenderTarget, WebGPURenderer } from 'three/webgpu';
+import { ClippingGroup, CubeRenderTarget, MeshBasicNodeMaterial, RenderTarget, WebGPURenderer } from 'three/webgpu';
 import { ExactShadows } from 'edgeshade/three';
 import { ExactShadows as NodeShadows } from 'edgeshade/three-webgpu';
 import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { blobs, leafAtlas, treeOf } from './foliage.js';
 import { comparedWithRays } from './rays.js';
+import { sampled } from './texel-alpha.js';
+import { tintsComparedWithRays } from './tint-rays.js';
 
 export const size = { width: 320, height: 240 };
 
 /**
  * An initialised renderer with a canvas in the page. `backend`: 'WebGLRenderer', 'WebGL' or 'WebGPU', which
- * draws into a texture, as Chromium has no canvas for SwiftShader's WebGPU.
+ * draws into a texture, as Chromium has no canvas for SwiftShader's WebGPU. Its light is linear: 8 bits were too few.
  */
 export async function rendererOf(backend, { width, height } = size) {
   const renderer = backend === 'WebGLRenderer' ? new three.WebGLRenderer({ antialias: false, preserveDrawingBuffer: true })
@@ -23,7 +25,7 @@ export async function rendererOf(backend, { width, height } = size) {
   renderer.setSize(width, height);
   renderer.setClearColor(0x000000, 1);
   await renderer.init?.();
-  if (backend === 'WebGPU') renderer.setRenderTarget(new RenderTarget(width, height));
+  if (backend === 'WebGPU') renderer.setRenderTarget(new RenderTarget(width, height, { type: three.HalfFloatType }));
   document.body.append(renderer.domElement);
   return renderer;
 }
@@ -123,15 +125,13 @@ export function leaves() {
 /** Panes above sheets with holes: linear and mirrored, nearest and clamped, and without a texture. */
 export function sheets() {
   const scene = panes();
-  const linear = blobs(11, 7, { green: true }), nearest = blobs(64, 48, { seed: 3 });
+  const linear = alphas(11, 7), nearest = blobs(64, 48, { seed: 3 });
   Object.assign(linear, { wrapS: three.MirroredRepeatWrapping, wrapT: three.RepeatWrapping, rotation: 0.4 });
   linear.repeat.set(1.3, 0.8);
   linear.offset.set(0.2, -0.3);
   nearest.magFilter = nearest.minFilter = three.NearestFilter;
   nearest.wrapS = nearest.wrapT = three.ClampToEdgeWrapping;
   nearest.repeat.set(0.2, 0.15);
-  const { data } = linear.image;
-  for (let i = 0; i < data.length; i += 4) data[i] = data[i + 1]; // WebGPURenderer takes alphaMap's red
   const both = { side: three.DoubleSide, alphaTest: 0.45 };
   const added = (material, place) => {
     const sheet = meshOf(new three.PlaneGeometry(1.6, 1.6), white({ ...both, ...material }), place);
@@ -142,6 +142,51 @@ export function sheets() {
   added({ map: nearest }, [-1.9, 0.8, -1]);
   added({ opacity: 0.3 }, [-2, 1.4, 1.9]); // nothing is left of it
   return scene;
+}
+
+/** Red, green and blue of noise, beside the alpha or the red and green of blobs(). */
+function coloured(width, height, settings) {
+  const texture = Object.assign(blobs(width, height), settings), { data } = texture.image;
+  for (let i = 0; i < data.length; ++i) if (i % 4 < 3) data[i] = 60 + (i * 97 + (i >> 3) * 31) % 190;
+  return texture;
+}
+
+/** blobs() in green, and in red, which WebGPURenderer takes of an alphaMap. */
+function alphas(width, height, settings) {
+  const texture = Object.assign(blobs(width, height, { green: true }), settings), { data } = texture.image;
+  for (let i = 0; i < data.length; i += 4) data[i] = data[i + 1];
+  return texture;
+}
+
+/**
+ * The same, and panes, invisible to the eye, whose textures are of colour, alpha and transmission, and a sheet with
+ * holes of two textures' alpha.
+ */
+export function stained() {
+  const scene = sheets(), color = new three.Color().setRGB(1, 0.8, 0.6, three.LinearSRGBColorSpace);
+  const added = (material, place, turned) => {
+    const pane = meshOf(new three.PlaneGeometry(1.6, 1.4), material, place), { uv } = pane.geometry.attributes;
+    pane.rotation.set(...turned);
+    pane.geometry.setAttribute('uv1', uv.clone());
+    for (const [i, at] of uv.array.entries()) pane.geometry.attributes.uv1.array[i] = 1 - 0.8 * at;
+    scene.add(pane);
+  };
+  const unseen = { color, colorWrite: false, depthWrite: false, side: three.DoubleSide }, turnedMap = { wrapS: three.RepeatWrapping, rotation: 0.3 };
+  added(new three.MeshLambertMaterial({ ...unseen, map: coloured(5, 4, turnedMap), alphaMap: alphas(3, 6, { channel: 1 }), transparent: true, opacity: 0.8 }), [-0.8, 1.2, -0.4], [-1.4, 0.1, 0.2]);
+  added(new three.MeshPhysicalMaterial({ ...unseen, map: coloured(4, 4, turnedMap), transmissionMap: coloured(6, 5), transmission: 0.9 }), [0.9, 0.9, 0.3], [-1.6, 0.2, 0.1]);
+  added(white({ map: blobs(7, 5), alphaMap: alphas(4, 6), alphaTest: 0.4, side: three.DoubleSide }), [-0.2, 0.7, 1.7], [-1.5, 0.1, 0]);
+  return scene;
+}
+
+/** Light that a mesh of these lets through where a ray hits it, [red, green, blue]; null: it is solid. */
+function throughStained({ material }, hit) {
+  const { color, map, alphaMap, transmissionMap, opacity, transparent, transmission = 0, alphaTest } = material;
+  if (!transparent && !(transmission > 0) && !(alphaTest > 0)) return null;
+  if (!hit) return [1, 1, 1];
+  const at = (texture, channel) => (texture ? sampled(texture, texture.channel === 1 ? hit.uv1 : hit.uv, channel) : 1);
+  const alpha = opacity * at(map, 3) * at(alphaMap, 0);
+  if (alphaTest > 0) return Array(3).fill(alpha < alphaTest ? 1 : 0);
+  return ['r', 'g', 'b'].map((name, i) => color[name] * at(map, i) * (1 - (transparent ? alpha : 1) * (1 - transmission * at(transmissionMap, 0))));
 }
 
 /** The yard, and a pane that receives, and isn't one of the mask engine's meshes. */
@@ -180,12 +225,16 @@ export function farYard(x = 1e6, z = -1e6) {
   return { scene: far, camera, place, options: { highPrecision: true } };
 }
 
-/** {scene, camera, options: of lookedUp(); place: of its lights, if not the scene} by name. */
+/**
+ * {scene, camera, options: of lookedUp(); place: of its lights, if not the scene; tintOf: of
+ * tintsComparedWithRays()} by name.
+ */
 export async function sceneOf(name) {
   if (name === 'far yard') return farYard();
   if (name === 'soft yard') return { scene: softYard(), camera: cameraOf(yardView), options: { lightSamples: 16, radius: 0.15, at: { width: 120, height: 90 } } };
   if (name === 'leaves') return { scene: leaves(), camera: cameraOf(yardView) };
   if (name === 'sheets') return { scene: sheets(), camera: cameraOf(yardView), options: { transparentCast: 'tint', at: { width: 160, height: 120 } } };
+  if (name === 'stained') return { scene: stained(), camera: cameraOf(yardView), options: { transparentCast: 'tint', at: { width: 120, height: 90 } }, tintOf: throughStained };
   if (name === 'panes') return { scene: panes(), camera: cameraOf(yardView), options: { transparentCast: 'tint' } };
   if (name === 'pavilion') return { scene: await pavilion(), camera: cameraOf({ from: [-2.6, 3.6, 10.2], to: [0.2, 1.3, -0.2] }) };
   return { scene: name === 'instances' ? posts() : yard().scene, camera: cameraOf(yardView) };
@@ -204,37 +253,42 @@ export async function rested(shadows, scene, camera, lights = 1) {
   return shadows.cost.lookedUp;
 }
 
-/** The red bytes of what draw() draws, one per pixel, rows from the top. */
-export async function redOf(renderer, draw) {
+/** The red, green and blue bytes of what draw() draws, as on a canvas: three lists, one byte per pixel, rows from the top. */
+export async function channelsOf(renderer, draw) {
   const { domElement, domElement: { width, height } } = renderer;
-  const target = renderer.getRenderTarget();
+  const target = renderer.getRenderTarget(), channel = (rgba, k) => rgba.filter((_, i) => i % 4 === k);
   if (target) {
     draw();
-    const red = (await renderer.readRenderTargetPixelsAsync(target, 0, 0, width, height)).filter((_, i) => i % 4 === 0);
-    return red.map((value) => 255 * new three.Color(value / 255, 0, 0).convertLinearToSRGB().r + 0.5); // as on a canvas
+    const halves = await renderer.readRenderTargetPixelsAsync(target, 0, 0, width, height), color = new three.Color();
+    const shown = (half) => 255 * color.setScalar(Math.min(three.DataUtils.fromHalfFloat(half), 1)).convertLinearToSRGB().r + 0.5;
+    return [0, 1, 2].map((k) => Uint8Array.from(channel(halves, k), shown));
   }
   const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
   draw();
   context.drawImage(domElement, 0, 0); // in the task that drew it
-  return context.getImageData(0, 0, width, height).data.filter((_, i) => i % 4 === 0);
+  const { data } = context.getImageData(0, 0, width, height);
+  return [0, 1, 2].map((k) => channel(data, k));
 }
+
+/** The first of these. */
+export const redOf = async (renderer, draw) => (await channelsOf(renderer, draw))[0];
 
 /** Shadows for a renderer, by its kind. */
 export const shadowsOf = (renderer, options) => (renderer.isWebGLRenderer ? new ExactShadows(renderer, options) : new NodeShadows(renderer, options));
 
-/** A picture of the size `at` with all lights looked up, `options` for their shadows: {lookedUp, red, methods}. */
+/** A picture of the size `at` with all lights looked up, `options` for their shadows: {lookedUp, channels: of channelsOf(), methods}. */
 export async function lookedUp(backend, scene, camera, { lights = 1, radius = 0, at = size, highPrecision = false, ...options } = {}) {
   const renderer = await rendererOf(backend, at);
   renderer.highPrecision = highPrecision; // of a WebGPURenderer, for worlds far off
-  const shadows = shadowsOf(renderer, { lookups: 4, ...options }).add(scene);
+  const shadows = shadowsOf(renderer, { lookups: lights, ...options }).add(scene);
   scene.traverse((light) => { if (light.isLight) shadows.setRadius(light, radius); });
   const found = await rested(shadows, scene, camera, lights);
-  const red = await redOf(renderer, () => shadows.render(scene, camera));
+  const channels = await channelsOf(renderer, () => shadows.render(scene, camera));
   const methods = shadows.lights.map(({ method, reason }) => `${method}: ${reason}`);
   shadows.dispose();
   renderer.dispose();
   renderer.domElement.remove();
-  return { lookedUp: found, red, methods };
+  return { lookedUp: found, channels, methods };
 }
 
 /** Whether a sun shines on what a ray from the camera meets at a place in the picture, in pixels. */
@@ -271,22 +325,30 @@ export function onNoBorder(scene, camera, places) {
 
 /**
  * {differ: pixels whose light differs, beyond: those with no boundary of the first picture within a pixel,
- * places: their indices, shadow: dark ones, lit, grey} of two pictures.
+ * places: their indices, shadow: dark ones, lit, grey} of two pictures, each of channelsOf().
  */
 export function compared(a, b, { width } = size) {
   const around = [-1, 0, 1].flatMap((row) => [-1, 0, 1].map((column) => row * width + column));
-  const places = [];
+  const places = [], [red] = a;
   let differ = 0, shadow = 0, lit = 0, grey = 0;
-  for (let i = 0; i < a.length; ++i) {
-    const differs = Math.abs(a[i] - b[i]) > 2;
+  for (let i = 0; i < red.length; ++i) {
+    const differs = a.some((channel, k) => Math.abs(channel[i] - b[k][i]) > 2);
     differ += differs;
-    if (differs && around.every((step) => a[i + step] === undefined || a[i + step] === a[i])) places.push(i);
-    shadow += a[i] < 20;
-    lit += a[i] > 240;
-    grey += a[i] >= 20 && a[i] <= 240;
+    if (differs && around.every((step) => red[i + step] === undefined || a.every((channel) => channel[i + step] === channel[i]))) places.push(i);
+    shadow += red[i] < 20;
+    lit += red[i] > 240;
+    grey += red[i] >= 20 && red[i] <= 240;
   }
   return { differ, beyond: places.length, places, shadow, lit, grey };
 }
 
-export { ClippingGroup, comparedWithRays, float, MeshBasicNodeMaterial, NodeShadows, RenderTarget, three };
+/** Result of tintsComparedWithRays() for a picture of channelsOf(). */
+export function comparedTints(channels, { width, height }, scene, camera, light, tintOf) {
+  const rgba = new Uint8Array(4 * width * height);
+  for (const [k, channel] of channels.entries())
+    for (let i = 0; i < channel.length; ++i) rgba[4 * ((height - 1 - Math.floor(i / width)) * width + i % width) + k] = channel[i];
+  return tintsComparedWithRays({ rgba, width, height }, scene, camera, light, tintOf);
+}
+
+export { ClippingGroup, comparedWithRays, CubeRenderTarget, float, MeshBasicNodeMaterial, NodeShadows, RenderTarget, three };
 window.page = { ready: true };

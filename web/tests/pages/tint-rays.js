@@ -6,16 +6,12 @@ import * as three from 'three';
 const shown = (light) => 255 * (light <= 0.0031308 ? 12.92 * light : 1.055 * light ** (1 / 2.4) - 0.055);
 
 /**
- * Compares the canvas with rays, where the first mesh on a pixel's ray is solid. `tintOf(mesh, hit)`:
+ * Compares a picture, `rgba` with rows from the bottom, with rays, where the first mesh on a pixel's ray is solid. `tintOf(mesh, hit)`:
  * what a mesh lets through, [red, green, blue]; null: it is solid. Each mesh and instance counts once.
  * Returns numbers of pixels: compared, tinted, wrong by more than 3 of 255, and wrong with all
  * neighbours behind the same meshes.
  */
-export function comparedTints(renderer, scene, camera, light, tintOf) {
-  const gl = renderer.getContext();
-  const { drawingBufferWidth: width, drawingBufferHeight: height } = gl;
-  const rgba = new Uint8Array(4 * width * height);
-  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, rgba);
+export function tintsComparedWithRays({ rgba, width, height }, scene, camera, light, tintOf) {
   const meshes = [], sides = new Map();
   scene.traverse((object) => {
     if (!object.isMesh) return;
@@ -73,4 +69,13 @@ export function comparedTints(renderer, scene, camera, light, tintOf) {
     }
   for (const [material, side] of sides) material.side = side;
   return told;
+}
+
+/** The same for the canvas of a WebGLRenderer. */
+export function comparedTints(renderer, ...others) {
+  const gl = renderer.getContext();
+  const { drawingBufferWidth: width, drawingBufferHeight: height } = gl;
+  const rgba = new Uint8Array(4 * width * height);
+  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, rgba);
+  return tintsComparedWithRays({ rgba, width, height }, ...others);
 }
