@@ -18,13 +18,13 @@ export class Readiness {
 
   /**
    * Resolves once everything has its shadows; throws any error. `follow()` follows the scene's current state, and
-   * returns false when there is nothing to follow.
+   * returns false when there is nothing to follow. `prepared()`: whether shadows can be drawn at once.
    */
-  async ready(follow) {
+  async ready(follow, prepared = () => true) {
     await this.#starting;
     while (follow()) {
       await this.#casters()?.settled();
-      if (!this.#casters()?.pending) return;
+      if (!this.#casters()?.pending && prepared()) return;
       await new Promise((resolve) => { setTimeout(resolve); }); // the page goes on between steps
     }
   }
