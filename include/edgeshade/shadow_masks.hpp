@@ -252,7 +252,8 @@ class ShadowMasks {
     void setClippings(Id id, std::span<const MaskClipping> clippings);
     void remove(Id id);
 
-    /// Begins to make the programs and textures that draw() takes in such a view of such lights.
+    /// Begins to make the programs and textures that draw() takes in such a view of such lights
+    /// and closed casters.
     /// Returns whether they are there; call it again until they are, so that no frame waits for the
     /// GL's compiler, where the GL has GL_KHR_parallel_shader_compile. draw() makes whatever is
     /// missing.

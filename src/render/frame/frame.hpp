@@ -73,7 +73,7 @@ class Renderer {
     /// slice's near plane.
     void drawNearness(const GpuScene& scene, const FrameView& view);
 
-    /// Begins to make the programs that lit masks of these lights take, of casters without alpha;
+    /// Begins to make the programs that lit masks of these lights take, of closed casters;
     /// with `nearness`, also those of drawNearness().
     void beginMaskPrograms(std::span<const Light> lights, bool orthographic, bool nearness);
     void forEachProgram(const gl::ProgramVisitor& visit) const;

@@ -48,8 +48,8 @@ class ShadowTechnique {
     /// Called when the framebuffer shows other surfaces.
     virtual void beginSlice() {}
 
-    /// Begins to make, ahead of the first frame, programs for casters without alpha; `directional`:
-    /// for directional lights, too.
+    /// Begins to make, ahead of the first frame, programs that most closed casters take;
+    /// `directional`: of directional lights, too.
     virtual void beginPrograms([[maybe_unused]] bool directional) {}
     /// Visits the programs made or begun so far that frames may take.
     virtual void forEachProgram(const gl::ProgramVisitor&) const {}

@@ -203,14 +203,8 @@ void PlanePairVolumes::makeProgram(const PlanePairCapsVariant& variant) {
 }
 
 void PlanePairVolumes::beginPrograms(bool directional) {
-    for (const bool pair : {false, true}) {
-        for (const bool cap : {false, true})
-            makeProgram(PlanePairSidesVariant{.pair = pair, .cap = cap});
-        if (directional) makeProgram(PlanePairSidesVariant{.pair = pair, .directional = true});
-    }
-    for (const bool nearDiscard : {false, true})
-        for (const bool culled : {false, true})
-            makeProgram(PlanePairCapsVariant{.nearDiscard = nearDiscard, .culled = culled});
+    makeProgram(PlanePairSidesVariant{.pair = true});
+    if (directional) makeProgram(PlanePairSidesVariant{.pair = true, .directional = true});
 }
 
 void PlanePairVolumes::forEachProgram(const gl::ProgramVisitor& visit) const {

@@ -56,8 +56,8 @@ class VolumeRenderer {
     /// Draws. The caller's state decides the effect on the stencil and the picture.
     virtual void draw(const VolumeDraw& draw, const DrawnBatch& batch) const = 0;
 
-    /// Begins to make, ahead of prepare(), programs for casters without alpha; `directional`: for
-    /// directional lights, too.
+    /// Begins to make, ahead of prepare(), programs that most closed casters take; `directional`:
+    /// of directional lights, too.
     virtual void beginPrograms([[maybe_unused]] bool directional) {}
     virtual void forEachProgram([[maybe_unused]] const gl::ProgramVisitor& visit) const {}
 
