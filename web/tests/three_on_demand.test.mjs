@@ -110,3 +110,15 @@ test('a context that comes back asks for a frame, and what fails is thrown', asy
   assert.equal(told.restored.count.at(-1), '0 pending, 1 looked up');
   assert.ok(isRight(told.restored.right), JSON.stringify(told.restored.right));
 });
+
+test('a canvas without pixels settles, and has its shadows once it has some', async () => {
+  const told = await onDemand(async ({ draw, settled, renderer, shadows }) => {
+    renderer.setSize(0, 0);
+    draw();
+    await shadows.settled;
+    renderer.setSize(160, 90);
+    draw();
+    return settled();
+  }, { lookups: 0 });
+  assert.ok(isRight(told.right), JSON.stringify(told.right));
+});

@@ -281,7 +281,7 @@ export class ExactShadows extends EventTarget {
     this.#complete ||= this.#casters.pending === 0;
     if (casting.lights.length === 0) return false;
     const { xr } = this.#renderer;
-    const viewport = this.#viewportOf(target);
+    const viewport = this.#viewportOf(target).clone();
     if (viewport.z < 1 || viewport.w < 1) return false;
     if (!this.#prepare(viewport) || !this.#complete) return false;
     const maps = this.#followLights();
@@ -321,12 +321,14 @@ export class ExactShadows extends EventTarget {
 
   /** Whether the engine's first masks would wait for its programs. */
   get #isUnprepared() {
-    return Boolean(this.#preparation && !this.#preparation.isDone && this.#lights.length > 0 && this.#last?.camera.isCamera);
+    if (!this.#preparation || this.#preparation.isDone || this.#lights.length === 0 || !this.#last?.camera.isCamera) return false;
+    const { z, w } = this.#viewportOf(this.#renderer.getRenderTarget());
+    return z >= 1 && w >= 1;
   }
 
   /** Goes on making what the first masks take. Returns whether it is there. */
   #prepare({ z: width, w: height } = this.#viewportOf(this.#renderer.getRenderTarget())) {
-    if (!this.#isUnprepared || width < 1 || height < 1) return true;
+    if (!this.#isUnprepared) return true;
     const view = { ...engineViewOf(this.#last.camera), width, height, lightSamples: this.lightSamples };
     const isDone = this.#preparation.advance(view, this.#lights.map(({ numbers }) => numbers));
     this.#resetRenderer();
