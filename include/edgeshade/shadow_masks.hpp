@@ -252,6 +252,13 @@ class ShadowMasks {
     void setClippings(Id id, std::span<const MaskClipping> clippings);
     void remove(Id id);
 
+    /// Begins to make the programs and textures that draw() takes in such a view of such lights
+    /// and closed casters.
+    /// Returns whether they are there; call it again until they are, so that no frame waits for the
+    /// GL's compiler, where the GL has GL_KHR_parallel_shader_compile. draw() makes whatever is
+    /// missing.
+    bool prepareToDraw(const MaskView& view, std::span<const MaskLight> lights);
+
     /// Draws the masks: 1 where nothing opaque, the surface itself included, lies between the
     /// surface and the light; 0 in shadow and outside cones and ranges. For a light with an extent
     /// it is the share of its points that are visible. 1 where there is no surface. Leaves the GL's

@@ -36,6 +36,14 @@ bool cutAlike(const MaskAlpha& a, const MaskAlpha& b) {
            a.texcoordTransform == b.texcoordTransform;
 }
 
+/// The box of a batch's vertices in the world.
+Box worldBoundsOf(const Batch& batch) {
+    Box box;
+    for (const glm::vec3& position : batch.geometry->positions)
+        box.add(glm::dvec3(batch.worldFromBatch * glm::dvec4(position, 1.0)));
+    return box;
+}
+
 } // namespace
 
 CasterScene::CasterScene(SidesLayout layout, const gl::Capabilities& capabilities)
@@ -78,6 +86,9 @@ std::vector<CasterScene::Id> CasterScene::add(const MergedMeshes& meshes) {
     for (const PlacedMesh& of : group.members)
         batches.push_back(insert(PreparedMesh(of.mesh), of.worldFromMesh));
     if (mergedTriangles_ + mostTrianglesMerged <= mostMerged) showMerged(batches, group.merged);
+    // Callers add groups one by one, so that the next draw() needn't do this for all.
+    bounds();
+    tree();
     return {batches.begin(), batches.end()};
 }
 
@@ -196,6 +207,7 @@ void CasterScene::place(std::size_t batch, const glm::dmat4& worldFromBatch) {
         casterChanged(batch);
     loaded_.scene.batches[batch].worldFromBatch = worldFromBatch;
     gpu_->batches[batch].worldFromBatch = worldFromBatch;
+    slots_[batch].inWorld.reset();
     changed();
 }
 
@@ -219,6 +231,7 @@ void CasterScene::show(std::size_t batch, const std::shared_ptr<const PreparedMe
     if (shown.alphaTested) gpu_->batches[batch].alpha = lookupOf(slots_[batch].alpha);
     gpu_->batches[batch].hidden = !mesh;
     slots_[batch].uploaded = false;
+    slots_[batch].inWorld.reset();
     changed();
 }
 
@@ -451,7 +464,13 @@ void CasterScene::fillLayers(FrameView& view) {
 }
 
 const Box& CasterScene::bounds() {
-    if (!bounds_) bounds_ = worldBounds(loaded_.scene);
+    if (bounds_) return *bounds_;
+    bounds_.emplace();
+    for (std::size_t i = 0; i < slots_.size(); ++i) {
+        std::optional<Box>& box = slots_[i].inWorld;
+        if (!box) box = worldBoundsOf(loaded_.scene.batches[i]);
+        bounds_->add(*box);
+    }
     return *bounds_;
 }
 

@@ -111,6 +111,7 @@ class CasterScene {
         MaskTintTexture tintTexture;
         CasterRest rest{};                       ///< as a caster
         Box own;                                 ///< of the whole mesh, in its space
+        std::optional<Box> inWorld{};            ///< of the batch's vertices; empty: out of date
         std::size_t changed = 0;                 ///< the draw() before which it last changed
         std::size_t patience = shortRest;        ///< draws that it has to rest before it is merged
         std::optional<std::size_t> mergedInto{}; ///< the batch that draws it

@@ -16,6 +16,9 @@ class NearnessPicture {
     void draw(Renderer& renderer, const GpuScene& scene, const FrameView& view,
               const Frustum& asked, const gl::DepthStencil* shared = nullptr);
 
+    /// Makes the picture, if it has another size.
+    void fit(int width, int height) { target_.bind(width, height); }
+
     const MaskNearness& told() const { return told_; }
     std::size_t bytes() const { return target_.bytes(); }
 

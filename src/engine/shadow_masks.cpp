@@ -20,11 +20,15 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <limits>
 #include <map>
+#include <utility>
 
 namespace edgeshade {
 namespace {
 
 constexpr std::size_t channels = 4;
+
+/// Milliseconds that a call of prepareToDraw() takes over programs.
+constexpr double stepMs = 4.0;
 
 /// The context's capabilities in the framebuffers that masks are drawn into. Throws
 /// Error(unavailable) where it can't draw into them.
@@ -63,6 +67,16 @@ void requireSamples(std::size_t samples) {
                          std::to_string(samples) + ".");
 }
 
+void requireDrawable(const MaskView& view, std::size_t lights) {
+    if (lights > ShadowMasks::mostLights)
+        throw InputError(std::to_string(lights) + " lights are more than the " +
+                         std::to_string(ShadowMasks::mostLights) + " that can have masks.");
+    if (view.width < 1 || view.height < 1)
+        throw InputError("A picture of " + std::to_string(view.width) + "x" +
+                         std::to_string(view.height) + " pixels can't be drawn.");
+    requireSamples(view.lightSamples);
+}
+
 /// Why a light with an extent has no map, whose points share one list: a clause, or empty.
 /// `movers`: casters that the map would leave out.
 std::string obstacleOfExtent(const LookupTask& task, std::size_t movers) {
@@ -97,6 +111,10 @@ struct MaskDrawing {
         : capabilities(of), renderer(settingsFor(of), of), casters(renderer.settings().layout, of),
           counter(of), channel(shaders::mask_channel_frag), lookups(of) {}
 
+    /// Begins to make what draw() takes. Returns whether it is there, see
+    /// ShadowMasks::prepareToDraw().
+    bool prepare(const MaskView& of, const std::vector<Light>& lights);
+    void forEachProgram(const gl::ProgramVisitor& visit) const;
     /// `of`: by light, see ShadowMasks::draw().
     void draw(const MaskView& view, const std::vector<Light>& lights,
               std::span<const ShadowMasks::LookupId> of);
@@ -127,6 +145,7 @@ struct MaskDrawing {
     Box receivers; ///< the host's that aren't casters' meshes
     int width = 0, height = 0;
     std::size_t vertexRuns = 0;
+    std::size_t unfinished = 0; ///< programs that the last prepare() left so
 };
 
 void MaskDrawing::fit(int newWidth, int newHeight, std::size_t lights) {
@@ -140,6 +159,43 @@ void MaskDrawing::fit(int newWidth, int newHeight, std::size_t lights) {
     names.clear();
     for (const gl::ColorTarget& mask : masks)
         names.push_back(mask.texture.name());
+}
+
+bool MaskDrawing::prepare(const MaskView& of, const std::vector<Light>& lights) {
+    const bool orthographic =
+        frustumOf(matrixOf(of.viewFromWorld), matrixOf(of.clipFromView)).orthographic;
+    renderer.beginMaskPrograms(lights, orthographic, of.nearness);
+    counter.beginPrograms();
+    std::size_t begun = 0;
+    bool completed = true;
+    forEachProgram([&](const gl::Program& program) {
+        begun += program.isFinished() ? 0 : 1;
+        completed = completed && (!capabilities.parallelCompiling || program.isCompleted());
+    });
+    // The GL gets time to compile what was begun in this very call.
+    const bool isNew = begun > unfinished;
+    unfinished = begun;
+    if (isNew || !completed) return false;
+    Stopwatch watch;
+    double worked = 0.0;
+    forEachProgram([&](const gl::Program& program) {
+        if (program.isFinished() || worked > stepMs) return;
+        program.finish();
+        --unfinished;
+        worked += 1e3 * watch.lap();
+    });
+    if (unfinished > 0) return false;
+    fit(of.width, of.height, lights.size());
+    counter.begin(of.width, of.height);
+    if (of.nearness && !nearness) nearness.emplace(capabilities);
+    if (of.nearness) nearness->fit(of.width, of.height);
+    return true;
+}
+
+void MaskDrawing::forEachProgram(const gl::ProgramVisitor& visit) const {
+    renderer.forEachProgram(visit);
+    counter.forEachProgram(visit);
+    channel.forEachProgram(visit);
 }
 
 void MaskDrawing::draw(const MaskView& of, const std::vector<Light>& lights,
@@ -351,16 +407,18 @@ void ShadowMasks::remove(Id id) {
     impl_->drawing->casters.remove(id);
 }
 
+bool ShadowMasks::prepareToDraw(const MaskView& view, std::span<const MaskLight> lights) {
+    requireDrawable(view, lights.size());
+    const std::vector<Light> planned = lightsOf(lights);
+    bool isReady = false;
+    impl_->withStateKept([&] { isReady = impl_->drawing->prepare(view, planned); });
+    return isReady;
+}
+
 void ShadowMasks::draw(const MaskView& view, std::span<const MaskLight> lights,
                        std::span<const LookupId> lookups) {
+    requireDrawable(view, lights.size());
     const std::vector<Light> planned = lightsOf(lights);
-    if (planned.size() > mostLights)
-        throw InputError(std::to_string(planned.size()) + " lights are more than the " +
-                         std::to_string(mostLights) + " that can have masks.");
-    if (view.width < 1 || view.height < 1)
-        throw InputError("A picture of " + std::to_string(view.width) + "x" +
-                         std::to_string(view.height) + " pixels can't be drawn.");
-    requireSamples(view.lightSamples);
     if (!lookups.empty() && lookups.size() != lights.size())
         throw InputError(std::to_string(lookups.size()) + " lookups were passed for " +
                          std::to_string(lights.size()) + " lights.");

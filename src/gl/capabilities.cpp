@@ -53,6 +53,7 @@ Capabilities queryCapabilities(void* (*lookUp)(const char*)) {
     capabilities.multisampling =
         Multisampling::find(capabilities.version, capabilities.extensions, lookUp);
     capabilities.timerQueries = TimerQueries::find(capabilities.extensions, lookUp);
+    capabilities.parallelCompiling = capabilities.has("GL_KHR_parallel_shader_compile");
     return capabilities;
 }
 
@@ -77,6 +78,7 @@ Capabilities limited(Capabilities capabilities, Limits limits) {
     capabilities.framebufferFlip.reset();
     capabilities.multisampling.reset();
     capabilities.timerQueries.reset();
+    capabilities.parallelCompiling = false;
     return capabilities;
 }
 

@@ -47,6 +47,7 @@ struct Capabilities {
     std::optional<FramebufferFlip> framebufferFlip;
     std::optional<Multisampling> multisampling;
     std::optional<TimerQueries> timerQueries;
+    bool parallelCompiling = false; ///< GL_KHR_parallel_shader_compile: Program::isCompleted()
 
     /// Whether the processor renders: Mesa's llvmpipe and softpipe, SwiftShader.
     bool isSoftware() const;

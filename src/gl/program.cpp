@@ -1,9 +1,11 @@
 #include "src/gl/program.hpp"
 
 #include "preprocess/base/error.hpp"
+#include "src/gl/platform.hpp"
 
 #include <GLES2/gl2.h>
 #include <glm/gtc/type_ptr.hpp>
+#include <utility>
 
 namespace edgeshade::gl {
 namespace {
@@ -45,19 +47,33 @@ void requireCompiled(const ShaderObject& shader, const std::string& stage) {
 Program::Program(const char* vertexSource, const char* fragmentSource,
                  const std::vector<std::string>& defines,
                  const std::vector<std::string>& attributes) {
-    const ShaderObject vertex = compile(GL_VERTEX_SHADER, vertexSource, defines);
-    const ShaderObject fragment = compile(GL_FRAGMENT_SHADER, fragmentSource, defines);
+    stages_ = Stages{compile(GL_VERTEX_SHADER, vertexSource, defines),
+                     compile(GL_FRAGMENT_SHADER, fragmentSource, defines)};
     object_ = ProgramObject(glCreateProgram());
-    glAttachShader(object_.name(), vertex.name());
-    glAttachShader(object_.name(), fragment.name());
+    glAttachShader(object_.name(), stages_->vertex.name());
+    glAttachShader(object_.name(), stages_->fragment.name());
     for (GLuint i = 0; i < attributes.size(); ++i)
         glBindAttribLocation(object_.name(), i, attributes[i].c_str());
     glLinkProgram(object_.name());
+    if (!inBrowser) finish();
+}
+
+bool Program::isCompleted() const {
+    constexpr GLenum completionStatus = 0x91B1; // GL_COMPLETION_STATUS_KHR
+    if (!stages_) return true;
+    GLint completed = GL_FALSE;
+    glGetProgramiv(object_.name(), completionStatus, &completed);
+    return completed == GL_TRUE;
+}
+
+void Program::finish() const {
+    if (!stages_) return;
+    const Stages stages = *std::exchange(stages_, {});
     GLint linked = GL_FALSE;
     glGetProgramiv(object_.name(), GL_LINK_STATUS, &linked);
     if (linked != GL_TRUE) {
-        requireCompiled(vertex, "vertex");
-        requireCompiled(fragment, "fragment");
+        requireCompiled(stages.vertex, "vertex");
+        requireCompiled(stages.fragment, "fragment");
         char log[4096] = "";
         glGetProgramInfoLog(object_.name(), sizeof log, nullptr, log);
         refuse("This GL can't link a program", log);
@@ -75,6 +91,7 @@ Program::Program(const char* vertexSource, const char* fragmentSource,
 }
 
 void Program::use() const {
+    finish();
     glUseProgram(object_.name());
 }
 

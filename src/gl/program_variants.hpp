@@ -41,6 +41,11 @@ class ProgramVariants {
         return program;
     }
 
+    void forEachProgram(const ProgramVisitor& visit) const {
+        for (const auto& [variant, program] : programs_)
+            visit(program);
+    }
+
   private:
     std::map<Variant, Program> programs_;
 };

@@ -70,6 +70,24 @@ TEST(ShadowMasks, AreThoseOfRenderForEveryKindOfLight) {
     EXPECT_EQ(masks.cost().hostError, 0u);
 }
 
+TEST(ShadowMasks, MadeAheadAreTheSame) {
+    const Light light = spot();
+    const Expected expected(yard().scene(), light);
+    const gl::HeadlessContext context({hostWidth, hostHeight});
+    ShadowMasks masks(eglLookUp);
+    const MaskLight asked = hostLight(light);
+    MaskView view = viewOf(corner);
+    EXPECT_TRUE(masks.prepareToDraw(view, {&asked, 1})) << "this GL links within the call";
+    EXPECT_GE(masks.textures().size(), 1u) << "its textures are there";
+    masks.add(meshOf(geometryOf(yard().scene())));
+    masks.draw(view, {&asked, 1});
+    EXPECT_EQ(readMask(masks, 0), expected.mask);
+    view.width = 0;
+    EXPECT_THROW(masks.prepareToDraw(view, {&asked, 1}), std::runtime_error);
+    const std::vector<MaskLight> many(ShadowMasks::mostLights + 1);
+    EXPECT_THROW(masks.prepareToDraw(viewOf(corner), many), std::runtime_error);
+}
+
 TEST(ShadowMasks, FollowWhatComesGoesMovesAndChanges) {
     const Light light = pointLight({0.3, 4, 0.7});
     const Expected alone(yard().scene(), light), withLeft(yardWith(left), light),

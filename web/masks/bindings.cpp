@@ -181,18 +181,23 @@ class PageMasks {
     bool draw(int width, int height, std::uintptr_t matrices, std::uintptr_t lights,
               std::size_t lightCount, std::size_t lightSamples, bool nearness) {
         return done([&] {
-            std::vector<MaskLight> all;
-            std::vector<ShadowMasks::LookupId> lookups;
-            for (std::size_t i = 0; i < lightCount; ++i) {
-                const double* numbers = at<double>(lights) + (lightNumbers + 1) * i;
-                all.push_back(lightAt(numbers));
-                const int id = static_cast<int>(numbers[lightNumbers]);
-                lookups.push_back(id < 0 ? ShadowMasks::noLookup : idOf(id));
-            }
+            const DrawnLights drawn = lightsAt(lights, lightCount);
             masks().draw({matrixAt(matrices), matrixAt(matrices + sizeof(Matrix16)), width, height,
                           lightSamples, nearness},
-                         all, lookups);
+                         drawn.lights, drawn.lookups);
         });
+    }
+    /// As draw(), ahead of it. Returns 1 once all is there, 0 until then, -1 on failure.
+    int prepareToDraw(int width, int height, std::uintptr_t matrices, std::uintptr_t lights,
+                      std::size_t lightCount, std::size_t lightSamples, bool nearness) {
+        bool isReady = false;
+        const bool works = done([&] {
+            isReady =
+                masks().prepareToDraw({matrixAt(matrices), matrixAt(matrices + sizeof(Matrix16)),
+                                       width, height, lightSamples, nearness},
+                                      lightsAt(lights, lightCount).lights);
+        });
+        return works ? static_cast<int>(isReady) : -1;
     }
 
     void setReceivers(double lowX, double lowY, double lowZ, double highX, double highY,
@@ -300,7 +305,23 @@ class PageMasks {
     double bytes() const { return static_cast<double>(masks_->cost().bytes); }
 
   private:
+    struct DrawnLights {
+        std::vector<MaskLight> lights;
+        std::vector<ShadowMasks::LookupId> lookups;
+    };
+
     static ShadowMasks::Id idOf(int id) { return static_cast<ShadowMasks::Id>(id); }
+
+    static DrawnLights lightsAt(std::uintptr_t address, std::size_t count) {
+        DrawnLights all;
+        for (std::size_t i = 0; i < count; ++i) {
+            const double* numbers = at<double>(address) + (lightNumbers + 1) * i;
+            all.lights.push_back(lightAt(numbers));
+            const int id = static_cast<int>(numbers[lightNumbers]);
+            all.lookups.push_back(id < 0 ? ShadowMasks::noLookup : idOf(id));
+        }
+        return all;
+    }
 
     emscripten::val numbers() const {
         return emscripten::val(emscripten::typed_memory_view(numbers_.size(), numbers_.data()));
@@ -354,6 +375,7 @@ EMSCRIPTEN_BINDINGS(edgeshade_masks) {
         .function("setClippings", &PageMasks::setClippings)
         .function("remove", &PageMasks::remove)
         .function("draw", &PageMasks::draw)
+        .function("prepareToDraw", &PageMasks::prepareToDraw)
         .function("setReceivers", &PageMasks::setReceivers)
         .function("lookupTask", &PageMasks::lookupTask)
         .function("lookupCutouts", &PageMasks::lookupCutouts)

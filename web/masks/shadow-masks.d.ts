@@ -314,6 +314,13 @@ export class ShadowMasks {
   remove(id: number): void;
 
   /**
+   * Begins to make the programs and textures that draw() takes in such a view of such lights. Returns
+   * whether they are there. Call it again between frames until they are, best when the GPU has drawn
+   * all that you have drawn (WebGL 2's fenceSync()): compilers then never stop your page. draw() makes
+   * whatever is missing.
+   */
+  prepareToDraw(view: MaskView, lights: MaskLight[]): boolean;
+  /**
    * The textures belong to the engine, and stay valid until the next draw(). `lookups`: for each
    * light the lookup that your shader samples as well, or null. Only the movers of such a light are
    * counted, the casters that its lookup doesn't hold. Throws if the lookup no longer holds.

@@ -12,7 +12,6 @@ export { version } from '../element/version.js';
 export { lookupSource } from './lookup-source.js';
 
 const kinds = ['directional', 'point', 'spot'];
-const lightNumbers = 11; // the last is the lookup's id
 
 /** As ShadowMasks::longRestMs. */
 export const longRestMs = 5000;
@@ -28,6 +27,9 @@ function numbersOf({ kind = 'directional', position = [0, 0, 0], direction = [0,
   return [number, ...position, ...direction, range, outerAngle, radius];
 }
 
+/** Everything that the sizes of draw()'s pictures depend on. */
+const needsOf = ({ width, height, nearness = true }, { length }) => `${width} ${height} ${length} ${nearness}`;
+
 export class ShadowMasks {
   #gl;
   #program;
@@ -38,7 +40,9 @@ export class ShadowMasks {
   #packing;
   #lookups;
   #allocatedFor = ''; // sizes for which draw() has pictures
-  #hostError = 0;
+  #preparedFor = ''; // sizes of the last prepareToDraw()
+  #hostError = 0; // since the last draw()
+  #lastHostError = 0; // before it
 
   #keepsState;
   #clips;
@@ -82,13 +86,14 @@ export class ShadowMasks {
   restore() {
     const webGl2 = typeof WebGL2RenderingContext !== 'undefined' && this.#gl instanceof WebGL2RenderingContext;
     if (!webGl2) this.#gl.getExtension('ANGLE_instanced_arrays');
+    this.#gl.getExtension('KHR_parallel_shader_compile');
     if (this.#handle !== undefined) this.#program.GL.deleteContext(this.#handle);
     this.#handle = this.#program.GL.registerContext(this.#gl, { majorVersion: webGl2 ? 2 : 1, minorVersion: 0,
       enableExtensionsByDefault: !webGl2 });
     this.#textures = new HostTextures(this.#program.GL);
     // Emscripten numbers the program's objects, and takes the number from deleted ones.
     this.#state = new HostState(this.#gl, (texture) => texture.name === 0, this.#clips);
-    this.#allocatedFor = '';
+    this.#allocatedFor = this.#preparedFor = '';
     this.#takeHostError();
     this.#require(this.#inContext(() => this.#masks.start()));
   }
@@ -198,15 +203,31 @@ export class ShadowMasks {
     this.#textures.drop(id);
   }
 
-  draw({ viewFromWorld, clipFromView, width, height, lightSamples = 64, nearness = true }, lights, lookups = []) {
+  /** Begins to make what draw() takes: see the declaration. */
+  prepareToDraw(view, lights) {
+    const needs = needsOf(view, lights);
+    if (this.#preparedFor === needs) this.#takeHostError(); // the first call creates no pictures
+    this.#preparedFor = needs;
+    const ready = this.#forDrawing(view, lights, [], (...numbers) => this.#masks.prepareToDraw(...numbers));
+    this.#require(ready >= 0);
+    if (ready > 0) this.#allocatedFor = needs;
+    return ready > 0;
+  }
+
+  /** Calls use(), of the engine, with the numbers of a view and its lights. */
+  #forDrawing({ viewFromWorld, clipFromView, width, height, lightSamples = 64, nearness = true }, lights, lookups, use) {
     const numbers = Float64Array.from(lights.flatMap((light, i) => [...numbersOf(light, i), lookups[i] ?? -1]));
-    const needs = `${width} ${height} ${lights.length} ${nearness}`;
-    this.#hostError = 0;
+    return withCopies(this.#program, [Float64Array.from([...viewFromWorld, ...clipFromView]), numbers], ([matrices, all]) =>
+      this.#inContext(() => use(width, height, matrices, all, lights.length, lightSamples, nearness)));
+  }
+
+  draw(view, lights, lookups = []) {
+    const { nearness = true } = view, needs = needsOf(view, lights);
     if (this.#allocatedFor !== needs) this.#takeHostError();
     this.#allocatedFor = needs;
-    withCopies(this.#program, [Float64Array.from([...viewFromWorld, ...clipFromView]), numbers], ([matrices, all]) =>
-      this.#require(this.#inContext(() =>
-        this.#masks.draw(width, height, matrices, all, numbers.length / lightNumbers, lightSamples, nearness))));
+    this.#lastHostError = this.#hostError;
+    this.#hostError = 0;
+    this.#require(this.#forDrawing(view, lights, lookups, (...numbers) => this.#masks.draw(...numbers)));
     const textures = [];
     for (let i = 0; 4 * i < lights.length; ++i) textures.push(this.#textureOf(this.#masks.texture(i)));
     return {
@@ -275,7 +296,7 @@ export class ShadowMasks {
 
   get cost() {
     return { buildMs: this.#masks.buildMs(), drawMs: this.#masks.drawMs(), vertexRuns: this.#masks.vertexRuns(),
-      batches: this.#masks.batches(), bytes: this.#masks.bytes(), hostError: this.#hostError };
+      batches: this.#masks.batches(), bytes: this.#masks.bytes(), hostError: this.#lastHostError };
   }
 
   dispose() {

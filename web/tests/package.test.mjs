@@ -26,7 +26,7 @@ test('every entry exports the version', async () => {
     assert.match(readFileSync(join(site, entry), 'utf8'), /^export \{ version \} from '.*\/version\.js';$/m, entry);
 });
 
-test('WebAssembly and JavaScript together weigh at most 837 KB, compressed', () => {
+test('WebAssembly and JavaScript together weigh at most 838 KB, compressed', () => {
   const parts = {};
   const add = (part, path) => {
     parts[part] = (parts[part] ?? 0) + gzipSync(readFileSync(path), { level: 9 }).length;
@@ -38,7 +38,7 @@ test('WebAssembly and JavaScript together weigh at most 837 KB, compressed', () 
       if (file.endsWith('.js')) add(folder, join(site, folder, file));
   console.log(parts);
   const total = Object.values(parts).reduce((sum, part) => sum + part, 0);
-  assert.ok(total <= 837e3, `${total} bytes`);
+  assert.ok(total <= 838e3, `${total} bytes`);
 });
 
 /** The files that npm packs; `text(path)` and `weight(path, …)` read them. */
@@ -56,10 +56,10 @@ const packed = (() => {
   }
 })();
 
-test('the package is at most 1.67 MB, 4.49 MB unpacked', { skip }, () => {
+test('the package is at most 1.68 MB, 4.51 MB unpacked', { skip }, () => {
   const { size, unpackedSize } = packed;
   console.log(`tarball ${size} bytes, unpacked ${unpackedSize}`);
-  assert.ok(size <= 1.67e6 && unpackedSize <= 4.49e6);
+  assert.ok(size <= 1.68e6 && unpackedSize <= 4.51e6);
 });
 
 test('three.js\' adapter weighs at most 482 KB, its hours of sun 172 KB more when asked for, the element 806 KB, without a bundler, compressed', { skip }, () => {

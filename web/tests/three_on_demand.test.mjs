@@ -140,3 +140,15 @@ test('textures are read one after another until leaves cast, and those that noth
   assert.ok(told.count.length < 12 && told.count.at(-1) === '0 pending, 1 looked up', told.count.join('; '));
   assert.ok(isRight(left.right), JSON.stringify(left?.right));
 });
+
+test('a canvas without pixels settles, and has its shadows once it has some', async () => {
+  const told = await onDemand(async ({ draw, settled, renderer, shadows }) => {
+    renderer.setSize(0, 0);
+    draw();
+    await shadows.settled;
+    renderer.setSize(160, 90);
+    draw();
+    return settled();
+  }, { lookups: 0 });
+  assert.ok(isRight(told.right), JSON.stringify(told.right));
+});

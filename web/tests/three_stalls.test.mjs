@@ -128,3 +128,85 @@ test('a map is uploaded in pieces of some milliseconds, each once the GPU has ta
   assert.equal(told.pieces.length, told.steps + 1);
   await shared.check(page);
 });
+
+test("programs of masks are taken over once the GPU's compiler and its draws are done, and all of them before the first masks", async () => {
+  const page = await openThree(shared);
+  const told = await page.evaluate(async () => {
+    const { yard, ExactShadows, cameraOf, drawn, frame } = window.page;
+    const { building } = await import('/tests/building.js');
+    const { renderer, scene } = yard({ width: 80, height: 60 });
+    const camera = cameraOf({ from: [9, 8, 10], to: [0, 0.6, 0], fov: 50 }, 4 / 3);
+    const gl = renderer.getContext(), extension = 'KHR_parallel_shader_compile', COMPLETION_STATUS_KHR = 0x91B1;
+    renderer.render(scene, camera); // three.js's own programs
+    const programs = new Map(), early = [];
+    let compiles = true, draws = true, looks = 0;
+    const instead = (name, act) => { gl[name] = (...given) => act(() => WebGL2RenderingContext.prototype[name].apply(gl, given), ...given); };
+    const isOurs = (program) => gl.getAttachedShaders(program).some((shader) => gl.getShaderSource(shader).startsWith('#version 100'));
+    instead('linkProgram', (link, program) => {
+      if (isOurs(program)) programs.set(program, { isCompleted: false });
+      link();
+    });
+    // The extension is this page's own: software renderers lack it.
+    instead('getSupportedExtensions', (ask) => [...new Set([...ask(), extension])]);
+    instead('getExtension', (ask, name) => (name === extension ? { COMPLETION_STATUS_KHR } : ask()));
+    for (const name of ['getProgramParameter', 'getActiveUniform', 'getUniformLocation']) {
+      instead(name, (ask, program, parameter) => {
+        const of = programs.get(program);
+        if (!of) return ask();
+        if (name !== 'getProgramParameter' || parameter !== COMPLETION_STATUS_KHR) {
+          if (!of.isCompleted || draws) early.push(name);
+          return ask();
+        }
+        looks += 1;
+        of.isCompleted = !compiles;
+        return of.isCompleted;
+      });
+    }
+    instead('getSyncParameter', (ask) => (draws ? gl.UNSIGNALED : ask()));
+    const shadows = new ExactShadows(renderer).add(scene);
+    const stages = [];
+    const stage = async (frames) => {
+      for (let i = 0; i < frames; ++i) {
+        await frame();
+        shadows.render(scene, camera);
+      }
+      stages.push({ programs: programs.size, looks, early: early.length, masks: (shadows.cost?.vertexRuns ?? 0) > 0 });
+    };
+    while (!shadows.cost) await frame();
+    await stage(5);
+    draws = false;
+    await stage(5);
+    compiles = false;
+    await drawn(shadows, scene, camera);
+    await stage(1);
+    scene.add(building(60, { width: 6 }));
+    await drawn(shadows, scene, camera);
+    await stage(1);
+    return { stages, error: gl.getError() };
+  });
+  const [drawing, compiling, ready, more] = told.stages;
+  assert.ok(drawing.programs > 10 && !drawing.masks, 'all are begun at once, while pictures come without masks');
+  assert.ok(compiling.looks > drawing.looks && !compiling.masks, `${compiling.looks} looks at their completion`);
+  assert.ok(ready.masks && more.masks);
+  assert.deepEqual([compiling.early, ready.early], [0, 0], 'nothing is asked of a program before');
+  assert.equal(more.programs, drawing.programs, 'the first masks, and those of more meshes, compile no others');
+  assert.equal(told.error, 0);
+  await shared.check(page, [/GPU stall due to ReadPixels/]);
+});
+
+test('without KHR_parallel_shader_compile masks come as well', async () => {
+  const page = await openThree(shared);
+  const told = await page.evaluate(async () => {
+    const { yard, ExactShadows, cameraOf, drawn } = window.page;
+    const { renderer, scene } = yard({ width: 80, height: 60 });
+    const gl = renderer.getContext(), lacking = 'KHR_parallel_shader_compile';
+    gl.getSupportedExtensions = () => WebGL2RenderingContext.prototype.getSupportedExtensions.call(gl).filter((name) => name !== lacking);
+    gl.getExtension = (name) => (name === lacking ? null : WebGL2RenderingContext.prototype.getExtension.call(gl, name));
+    const shadows = new ExactShadows(renderer).add(scene);
+    await drawn(shadows, scene, cameraOf({ from: [9, 8, 10], to: [0, 0.6, 0], fov: 50 }, 4 / 3));
+    return { runs: shadows.cost.vertexRuns, error: gl.getError() };
+  });
+  assert.ok(told.runs > 0);
+  assert.equal(told.error, 0);
+  await shared.check(page, [/GPU stall due to ReadPixels/]);
+});

@@ -7,6 +7,8 @@ import { Casters } from './casters.js';
 import { Clippings } from './clippings.js';
 import { CutoutMaps } from './cutout-maps.js';
 import { Displacements } from './displacements.js';
+import { DrawPreparation } from './draw-preparation.js';
+import { engineViewOf } from './engine-view.js';
 import { mostSlots, slotName } from './lit.glsl.js';
 import { MaskTextures } from './mask-textures.js';
 import { MaskViews } from './mask-views.js';
@@ -49,6 +51,7 @@ export class ExactShadows extends EventTarget {
   #resting = null;
   #cutouts = null;
   #views = null;
+  #preparation = null;
   #texels = null;
   #products = null;
   #displacements = null;
@@ -85,6 +88,7 @@ export class ExactShadows extends EventTarget {
   #forget = () => {
     this.#lost = true;
     this.#views?.forget();
+    this.#preparation = null;
     this.#masks?.forget();
     this.#casters?.forget();
     this.#resting?.forget();
@@ -97,7 +101,8 @@ export class ExactShadows extends EventTarget {
   #restore = () => {
     this.#masks?.restore();
     this.#lost = false;
-    this.#progress.invalidate();
+    if (this.#masks) this.#start();
+    else this.#progress.invalidate();
   };
 
   constructor(renderer, { lightSamples = 64, alphaTestedCast = 'exact', transparentCast = 'none', keepsState = false, lookups = 1 } = {}) {
@@ -133,7 +138,7 @@ export class ExactShadows extends EventTarget {
         this.#views = new MaskViews(renderer, masks, this.#casters, (view, viewport) => this.#show(view, viewport));
         this.#resting = new RestingLights(masks, this.#mostLookedUp, () => this.#resetRenderer());
         this.#cutouts = new CutoutMaps(masks, () => this.#resetRenderer());
-        this.#progress.invalidate();
+        this.#start();
         return undefined;
       });
     this.#readiness = new Readiness(starting, this.#progress, () => this.#casters, (message) => this.#tell(message));
@@ -161,7 +166,7 @@ export class ExactShadows extends EventTarget {
 
   /** Resolves once everything in the last render() has its shadows. Throws any error. */
   ready() {
-    return this.#readiness.ready(() => this.#goesOn());
+    return this.#readiness.ready(() => this.#goesOn(), () => this.#casters?.pending || !this.#prepare());
   }
 
   /** Counts hours of sun on an object, under the casters of the last render(). */
@@ -174,7 +179,7 @@ export class ExactShadows extends EventTarget {
   /** Follows the last picture's scene on; returns whether there is any. */
   #goesOn() {
     const goesOn = Boolean(this.#last && !this.#disposed && !this.#lost);
-    if (goesOn) this.#follow(this.#last);
+    if (goesOn) this.#followLast();
     return goesOn;
   }
 
@@ -238,6 +243,7 @@ export class ExactShadows extends EventTarget {
   /** From here on three.js draws without masks. */
   endMasks() {
     this.#views?.end();
+    this.#preparation?.drawn();
   }
 
   /** Frees everything; restores the materials. */
@@ -246,7 +252,7 @@ export class ExactShadows extends EventTarget {
     this.#progress.stop();
     this.#last = null;
     this.#views?.dispose();
-    this.#views = null;
+    this.#views = this.#preparation = null;
     this.#patches.clear();
     this.#textures.clear();
     const canvas = this.#renderer.domElement;
@@ -274,13 +280,14 @@ export class ExactShadows extends EventTarget {
     const { lights, meshes } = this.#follow({ scene, camera });
     if (!this.#masks) return false;
     const casting = this.#castingOf(lights);
-    this.#lights = casting.lights.map((numbers, i) => ({ light: casting.sources[i], numbers }));
+    this.#lights = this.#lightsOf(casting);
     this.#maps = [];
     this.#complete ||= this.#casters.pending === 0;
-    if (casting.lights.length === 0 || !this.#complete) return false;
+    if (casting.lights.length === 0) return false;
     const { xr } = this.#renderer;
-    const viewport = this.#viewportOf(target);
+    const viewport = this.#viewportOf(target).clone();
     if (viewport.z < 1 || viewport.w < 1) return false;
+    if (!this.#prepare(viewport) || !this.#complete) return false;
     const maps = this.#followLights();
     this.#showTables(maps);
     const visible = (other) => {
@@ -295,8 +302,41 @@ export class ExactShadows extends EventTarget {
     return true;
   }
 
+  /** Prepares for the masks of the last frame, which is out of date once they can be drawn. */
+  #start() {
+    this.#preparation = new DrawPreparation(this.#masks, this.#renderer.getContext());
+    if (!this.#last) return this.#progress.invalidate();
+    this.#followLast();
+    this.#prepare();
+    return this.#progress.drawn({ state: '', wait: stepWait });
+  }
+
+  #followLast() {
+    this.#lights = this.#lightsOf(this.#castingOf(this.#follow(this.#last).lights));
+  }
+
   #castingOf(lights) {
     return castingLights(lights, (light) => this.#radii.get(light) ?? 0);
+  }
+
+  #lightsOf({ lights, sources }) {
+    return lights.map((numbers, i) => ({ light: sources[i], numbers }));
+  }
+
+  /** Whether the engine's first masks would wait for its programs. */
+  get #isUnprepared() {
+    if (!this.#preparation || this.#preparation.isDone || this.#lights.length === 0 || !this.#last?.camera.isCamera) return false;
+    const { z, w } = this.#viewportOf(this.#renderer.getRenderTarget());
+    return z >= 1 && w >= 1;
+  }
+
+  /** Goes on making what the first masks take. Returns whether it is there. */
+  #prepare({ z: width, w: height } = this.#viewportOf(this.#renderer.getRenderTarget())) {
+    if (!this.#isUnprepared) return true;
+    const view = { ...engineViewOf(this.#last.camera), width, height, lightSamples: this.lightSamples };
+    const isDone = this.#preparation.advance(view, this.#lights.map(({ numbers }) => numbers));
+    this.#resetRenderer();
+    return isDone;
   }
 
   #viewportOf(target) {
@@ -355,6 +395,7 @@ export class ExactShadows extends EventTarget {
   #goOn() {
     if (this.#lost) return null;
     this.#casters.advance();
+    this.#prepare();
     this.#texels.take();
     const maps = this.#followMaps();
     for (let slot = 0; slot < mostSlots; ++slot) if (!maps.some((map) => map?.slot === slot)) this.#hideMap(slot);
@@ -368,7 +409,7 @@ export class ExactShadows extends EventTarget {
 
   /** The state that a frame would show, and when to go on, for Progress. */
   #standing(maps = this.#maps) {
-    const pending = !this.#isSettled;
+    const pending = !this.#isSettled || this.#isUnprepared;
     const shown = maps.map((map) => map && `${map.slot} ${map.id} ${map.movers}`);
     const waits = this.#resting.isWaiting(this.#lights) ? lightWait : Infinity;
     return { state: pending ? `${this.#texels.count}` : `${this.#masks.casterState} ${shown}`, wait: pending || this.#resting.isUploading ? stepWait : waits };

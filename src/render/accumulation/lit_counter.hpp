@@ -50,6 +50,9 @@ class LitCounter {
                    const FrameView& view, std::size_t light, std::size_t first, std::size_t count,
                    std::span<const FrameLight> others = {}, StageClock* clock = nullptr);
 
+    void beginPrograms() { sum_.beginPrograms(); }
+    void forEachProgram(const gl::ProgramVisitor& visit) const { sum_.forEachProgram(visit); }
+
     /// Depth and stencil of its masks, from begin() on; null: the GL can't draw into textures with
     /// both.
     const gl::DepthStencil* depthStencil() const {

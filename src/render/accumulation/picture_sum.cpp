@@ -62,12 +62,22 @@ void PictureSum::begin(int width, int height, const std::optional<PixelRectangle
     glEnable(GL_DITHER);
 }
 
+void PictureSum::beginPrograms() {
+    if (programs_) return;
+    programs_.emplace(Programs{
+        WholePicture(shaders::add_bytes_frag), WholePicture(shaders::add_bytes_frag, {"HIGH"}),
+        WholePicture(shaders::sum_share_frag), WholePicture(shaders::sum_share_frag, {"PICTURE"})});
+}
+
+void PictureSum::forEachProgram(const gl::ProgramVisitor& visit) const {
+    if (!programs_) return;
+    for (const WholePicture* of :
+         {&programs_->low, &programs_->high, &programs_->share, &programs_->picture})
+        of->forEachProgram(visit);
+}
+
 void PictureSum::add(gl::Name picture) {
-    if (!programs_)
-        programs_.emplace(Programs{WholePicture(shaders::add_bytes_frag),
-                                   WholePicture(shaders::add_bytes_frag, {"HIGH"}),
-                                   WholePicture(shaders::sum_share_frag),
-                                   WholePicture(shaders::sum_share_frag, {"PICTURE"})});
+    beginPrograms();
     const auto draw = [&](const WholePicture& by, const gl::ColorTarget& into) {
         drawPlainlyInto(into.framebuffer.name(), size_);
         const gl::ScissorScope cut(part_);

@@ -27,6 +27,10 @@ class PictureSum {
     /// Adds a texture of that size with 8 bits a channel.
     void add(gl::Name picture);
 
+    /// Begins to make the programs, which add() makes otherwise.
+    void beginPrograms();
+    void forEachProgram(const gl::ProgramVisitor& visit) const;
+
     /// Returns a texture of the first channel's sum as a share of `largest`, for VisibilityLookup.
     /// Valid until the next call, or until the sum is destroyed.
     gl::Name share(std::uint32_t largest);

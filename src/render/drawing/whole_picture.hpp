@@ -19,6 +19,8 @@ class WholePicture {
 
     void draw() const;
 
+    void forEachProgram(const gl::ProgramVisitor& visit) const { visit(program_); }
+
   private:
     gl::Program program_;
     gl::Buffer triangle_;

@@ -56,6 +56,24 @@ void Renderer::draw(GpuScene& scene, const FrameView& view, StageClock* clock,
     if (sum_.linear) linear_->show(framebuffer);
 }
 
+void Renderer::beginMaskPrograms(std::span<const Light> lights, bool orthographic, bool nearness) {
+    bool directional = false;
+    surfaces_.beginProgram(maskVariantOf({}));
+    for (const Light& light : lights) {
+        surfaces_.beginProgram(maskVariantOf(light));
+        directional = directional || light.position.w == 0.0;
+    }
+    if (nearness) surfaces_.beginProgram(nearnessVariant(orthographic));
+    mark_.beginPrograms();
+    techniques_.forEach([&](ShadowTechnique& of) { of.beginPrograms(directional); });
+}
+
+void Renderer::forEachProgram(const gl::ProgramVisitor& visit) const {
+    surfaces_.forEachProgram(visit);
+    mark_.forEachProgram(visit);
+    techniques_.forEach([&](const ShadowTechnique& of) { of.forEachProgram(visit); });
+}
+
 void Renderer::drawSlices(GpuScene& scene, const FrameView& view, StageClock* clock) {
     planFrame(scene, view, clock);
     glViewport(0, 0, view.width, view.height);

@@ -73,6 +73,11 @@ class Renderer {
     /// slice's near plane.
     void drawNearness(const GpuScene& scene, const FrameView& view);
 
+    /// Begins to make the programs that lit masks of these lights take, of closed casters;
+    /// with `nearness`, also those of drawNearness().
+    void beginMaskPrograms(std::span<const Light> lights, bool orthographic, bool nearness);
+    void forEachProgram(const gl::ProgramVisitor& visit) const;
+
     /// The plan of the last frame, valid until the next one.
     const FramePlan& plan() const { return plan_; }
 

@@ -26,11 +26,20 @@ void ShadowMark::darkenCounted() {
 }
 
 void ShadowMark::addValue(float value) {
-    if (!value_) value_.emplace(shaders::fill_frag, std::vector<std::string>{"VALUE"});
+    beginPrograms();
     value_->use().set("u_value", value);
     glDisable(GL_DEPTH_TEST);
     value_->draw();
     glEnable(GL_DEPTH_TEST);
+}
+
+void ShadowMark::beginPrograms() {
+    if (!value_) value_.emplace(shaders::fill_frag, std::vector<std::string>{"VALUE"});
+}
+
+void ShadowMark::forEachProgram(const gl::ProgramVisitor& visit) const {
+    picture_.forEachProgram(visit);
+    if (value_) value_->forEachProgram(visit);
 }
 
 void ShadowMark::drawCounted() {

@@ -23,6 +23,10 @@ class ShadowMark {
     /// Adds a value wherever the present stencil test passes, whatever the depth.
     void addValue(float value);
 
+    /// Begins to make the programs that aren't made yet.
+    void beginPrograms();
+    void forEachProgram(const gl::ProgramVisitor& visit) const;
+
   private:
     void drawCounted();
 

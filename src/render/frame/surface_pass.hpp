@@ -31,6 +31,10 @@ class SurfacePass {
     std::size_t drawChunk(const GpuScene& scene, const SurfaceChunk& chunk, const BatchView& view,
                           const SurfaceShading& shading);
 
+    /// Begins to make a program ahead of draw().
+    void beginProgram(const SurfaceVariant& variant) { program(variant); }
+    void forEachProgram(const gl::ProgramVisitor& visit) const { programs_.forEachProgram(visit); }
+
   private:
     std::size_t drawSeen(const GpuScene& scene, const SurfaceChunk& chunk, const BatchView& view,
                          const SurfaceShading& shading);

@@ -151,6 +151,22 @@ SurfaceVariant variantOf(const GpuScene& scene, const SurfaceChunk& chunk, const
     return variant;
 }
 
+SurfaceVariant maskVariantOf(const std::optional<Light>& light) {
+    SurfaceShading shading;
+    shading.light = light;
+    SurfaceVariant variant;
+    variant.light = arrivalOf(shading);
+    variant.mask = true;
+    return variant;
+}
+
+SurfaceVariant nearnessVariant(bool orthographic) {
+    SurfaceVariant variant;
+    variant.picture = SurfaceVariant::Picture::nearness;
+    variant.orthographic = orthographic;
+    return variant;
+}
+
 std::vector<std::string> definesOf(const SurfaceVariant& variant, const SurfaceDevice& device) {
     using Picture = SurfaceVariant::Picture;
     std::vector<std::string> defines;

@@ -103,6 +103,11 @@ SurfaceVariant variantOf(const GpuScene& scene, const SurfaceChunk& chunk, const
                          const SidedChunk* sided, const SurfaceShading& shading,
                          const SurfaceDevice& device);
 
+/// The variant of plain surfaces in lit masks of a light; null: without a light.
+SurfaceVariant maskVariantOf(const std::optional<Light>& light);
+/// The variant of plain surfaces in pictures of nearness (Renderer::drawNearness()).
+SurfaceVariant nearnessVariant(bool orthographic);
+
 /// The #defines of the variant's program.
 std::vector<std::string> definesOf(const SurfaceVariant& variant, const SurfaceDevice& device);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "src/gl/program.hpp"
 #include "src/render/technique/caster_group.hpp"
 #include "src/render/technique/light_method.hpp"
 #include "src/render/timing/stage_clock.hpp"
@@ -46,6 +47,12 @@ class ShadowTechnique {
     virtual void beginFrame(const FrameStart&) {}
     /// Called when the framebuffer shows other surfaces.
     virtual void beginSlice() {}
+
+    /// Begins to make, ahead of the first frame, programs that most closed casters take;
+    /// `directional`: of directional lights, too.
+    virtual void beginPrograms([[maybe_unused]] bool directional) {}
+    /// Visits the programs made or begun so far that frames may take.
+    virtual void forEachProgram(const gl::ProgramVisitor&) const {}
 
     /// Number of stencils that a light takes, one for each group of casters; 0: it marks none.
     virtual std::size_t stencils(const GpuScene&, const FrameLight&) const { return 0; }

@@ -85,6 +85,12 @@ void GrazedSurfaces::find(const Triangles& triangles, Grazed& grazed) {
     if (grazed.count > 0) grazed.corners = gl::vertexBuffer<glm::vec3>(corners);
 }
 
+void GrazedSurfaces::beginProgram() {
+    if (program_) return;
+    program_.emplace(shaders::surface_vert, shaders::fill_frag, std::vector<std::string>{},
+                     std::vector<std::string>{"a_position"});
+}
+
 void GrazedSurfaces::mark(const GpuScene& scene, const FrameView& view, const DepthSlice& slice,
                           std::size_t index) {
     for (auto& [geometry, triangles] : triangles_)
@@ -109,10 +115,7 @@ void GrazedSurfaces::mark(const GpuScene& scene, const FrameView& view, const De
         if (grazed.count == 0) continue;
         if (!any) {
             any = true;
-            if (!program_)
-                program_.emplace(shaders::surface_vert, shaders::fill_frag,
-                                 std::vector<std::string>{},
-                                 std::vector<std::string>{"a_position"});
+            beginProgram();
             program_->use();
             glDepthFunc(GL_EQUAL);
             glStencilFunc(GL_ALWAYS, 1, 0xFF);

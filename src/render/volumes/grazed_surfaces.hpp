@@ -24,6 +24,12 @@ class GrazedSurfaces {
     void mark(const GpuScene& scene, const FrameView& view, const DepthSlice& slice,
               std::size_t index);
 
+    /// Begins to make its program, which mark() makes otherwise.
+    void beginProgram();
+    void forEachProgram(const gl::ProgramVisitor& visit) const {
+        if (program_) visit(*program_);
+    }
+
   private:
     /// A geometry's triangles.
     struct Triangles {

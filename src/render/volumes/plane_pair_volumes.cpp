@@ -188,13 +188,28 @@ void PlanePairVolumes::upload(const VolumeDraw& draw, const BatchPlan& plan,
 }
 
 void PlanePairVolumes::makeProgram(const VolumeDraw& draw) {
-    if (draw.shape == VolumeDraw::Shape::caps) {
-        const PlanePairCapsVariant variant = capsVariantOf(draw);
-        caps_.get(variant, [&] { return makePlanePairCapsProgram(variant, defines_); });
-    } else {
-        const PlanePairSidesVariant variant = variantOf(draw);
-        sides_.get(variant, [&] { return makePlanePairSidesProgram(variant, defines_); });
-    }
+    if (draw.shape == VolumeDraw::Shape::caps)
+        makeProgram(capsVariantOf(draw));
+    else
+        makeProgram(variantOf(draw));
+}
+
+void PlanePairVolumes::makeProgram(const PlanePairSidesVariant& variant) {
+    sides_.get(variant, [&] { return makePlanePairSidesProgram(variant, defines_); });
+}
+
+void PlanePairVolumes::makeProgram(const PlanePairCapsVariant& variant) {
+    caps_.get(variant, [&] { return makePlanePairCapsProgram(variant, defines_); });
+}
+
+void PlanePairVolumes::beginPrograms(bool directional) {
+    makeProgram(PlanePairSidesVariant{.pair = true});
+    if (directional) makeProgram(PlanePairSidesVariant{.pair = true, .directional = true});
+}
+
+void PlanePairVolumes::forEachProgram(const gl::ProgramVisitor& visit) const {
+    sides_.forEachProgram(visit);
+    caps_.forEachProgram(visit);
 }
 
 void PlanePairVolumes::draw(const VolumeDraw& draw, const DrawnBatch& batch) const {

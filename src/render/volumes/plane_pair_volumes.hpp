@@ -52,6 +52,8 @@ class PlanePairVolumes : public VolumeRenderer {
     void prepare(const CountPlan& plan, GpuScene& scene,
                  const CasterGroupInSlice& casters) override;
     void draw(const VolumeDraw& draw, const DrawnBatch& batch) const override;
+    void beginPrograms(bool directional) override;
+    void forEachProgram(const gl::ProgramVisitor& visit) const override;
     /// Makes the program of such a draw, if it is missing.
     void makeProgram(const VolumeDraw& draw);
 
@@ -63,6 +65,8 @@ class PlanePairVolumes : public VolumeRenderer {
     std::size_t capBytes() const override { return gathered_.capBytes(); }
 
   private:
+    void makeProgram(const PlanePairSidesVariant& variant);
+    void makeProgram(const PlanePairCapsVariant& variant);
     void upload(const VolumeDraw& draw, const BatchPlan& plan, PlanePairBuffers& buffers);
     const gl::Buffer& bufferOf(const VolumeDraw& draw, const DrawnBatch& batch) const;
     /// Returns the program, in use, with the uniforms that all variants need.

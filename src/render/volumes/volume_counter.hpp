@@ -19,6 +19,8 @@ class VolumeCounter {
     void count(const CountPlan& plan, const VolumeRenderer& volumes, const GpuScene& scene,
                const CasterGroupInSlice& casters) const;
 
+    void forEachProgram(const gl::ProgramVisitor& visit) const { picture_.forEachProgram(visit); }
+
   private:
     WholePicture picture_;
     // How far caps of culled casters are moved away: by the change of depth over one step of the

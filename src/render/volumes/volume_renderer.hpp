@@ -56,6 +56,11 @@ class VolumeRenderer {
     /// Draws. The caller's state decides the effect on the stencil and the picture.
     virtual void draw(const VolumeDraw& draw, const DrawnBatch& batch) const = 0;
 
+    /// Begins to make, ahead of prepare(), programs that most closed casters take; `directional`:
+    /// of directional lights, too.
+    virtual void beginPrograms([[maybe_unused]] bool directional) {}
+    virtual void forEachProgram([[maybe_unused]] const gl::ProgramVisitor& visit) const {}
+
     /// The layout of the shadow data that it draws from.
     virtual VolumeLayout layout() const = 0;
 

@@ -40,6 +40,19 @@ void VolumesTechnique::beginFrame(const FrameStart& start) {
     volumes_->beginFrame(start.scene);
 }
 
+void VolumesTechnique::beginPrograms(bool directional) {
+    volumes_->beginPrograms(directional);
+    if constexpr (marksGrazed)
+        if (grazed_) grazed_->beginProgram();
+}
+
+void VolumesTechnique::forEachProgram(const gl::ProgramVisitor& visit) const {
+    volumes_->forEachProgram(visit);
+    counter_.forEachProgram(visit);
+    if constexpr (marksGrazed)
+        if (grazed_) grazed_->forEachProgram(visit);
+}
+
 std::size_t VolumesTechnique::stencils(const GpuScene& scene, const FrameLight& light) const {
     return scene.groupCount(light, volumes_->layout());
 }

@@ -30,6 +30,9 @@ class VolumesTechnique : public ShadowTechnique {
     /// Opposite-vertex records and triangles also count where no surface is.
     bool marksEverywhere() const override;
 
+    void beginPrograms(bool directional) override;
+    void forEachProgram(const gl::ProgramVisitor& visit) const override;
+
     const VolumeRenderer& renderer() const { return *volumes_; }
     std::size_t bytes() const override { return volumes_->bytes(); }
 

@@ -1,0 +1,108 @@
+// How building models start in a page of three.js: tasks above 50 ms, and when all meshes have their
+// shadows, and when the light is looked up, with edgeshade, with three.js's own map, and without
+// shadows, in turns. Each run has a page of its own. Prints JSON. Needs build/web and `npm ci`.
+//
+//   node compare/starts.mjs [--turns 3] [--opens] [--only edgeshade] [MODEL...]
+//
+// A MODEL is an address below the served folders, as /shared/hospital-electrical.glb, or a number of
+// meshes to draw in code. `--opens`: the page opens with the model; otherwise a page that runs gets it.
+
+import { loadavg } from 'node:os';
+import { parseArgs } from 'node:util';
+import { launchChromium } from '../tests/support/chromium.mjs';
+import { serve } from '../tests/support/server.mjs';
+
+/** Models of `../shared/scenes`, and one drawn in code. */
+const models = ['/shared/hospital-electrical.glb', '3000', '/shared/city.draco.glb'];
+
+/**
+ * In the page: adds the model, and draws until its light is looked up, at most 60 s, or for 3 s with the
+ * other methods. Times are milliseconds since then; `tasks`: those above 50 ms, as browsers report them.
+ */
+async function measured({ name, method, opens }) {
+  const { three, loaded, whiten, rendererOf, lampOf, ExactShadows, rested, frame, rendererName } = window.page;
+  const { building } = await import('/tests/building.js');
+  const model = name.startsWith('/') ? await loaded(name) : building(Number(name));
+  const renderer = rendererOf({ width: 320, height: 180 });
+  renderer.shadowMap.enabled = method === 'map';
+  const scene = new three.Scene();
+  const [light, target] = lampOf({ kind: 'DirectionalLight', position: [0.5, 1, -0.3] });
+  const bounds = new three.Box3().setFromObject(model), middle = bounds.getCenter(new three.Vector3());
+  const size = bounds.getSize(new three.Vector3()).length();
+  const camera = new three.PerspectiveCamera(40, 16 / 9, size / 100, 10 * size);
+  camera.position.set(0.7, 0.35, 0.6).multiplyScalar(size).add(middle);
+  camera.lookAt(middle);
+  const sun = light.position.clone().setLength(size);
+  light.position.copy(middle).add(sun);
+  target.position.copy(middle);
+  Object.assign(light.shadow.camera, { left: -size, right: size, bottom: -size, top: size, far: 3 * size });
+  light.shadow.mapSize.set(1024, 1024);
+  const box = new three.Mesh(new three.BoxGeometry(size / 9, size / 9, size / 9), new three.MeshStandardMaterial());
+  box.castShadow = box.receiveShadow = true;
+  box.position.copy(bounds.max);
+  scene.add(light, target, box);
+  whiten(scene);
+  let meshes = 0;
+  model.traverse((object) => {
+    if (!object.isMesh) return;
+    meshes += 1;
+    object.material = box.material;
+  });
+  const isOurs = method === 'edgeshade';
+  const open = () => (isOurs ? new ExactShadows(renderer).add(scene) : { render: () => renderer.render(scene, camera) });
+  let shadows = null;
+  if (!opens) {
+    shadows = open();
+    if (isOurs) await rested(shadows, scene, camera);
+    else for (let i = 0; i < 5; ++i, await frame()) shadows.render(scene, camera);
+    await new Promise((resolve) => { setTimeout(resolve, 1000); });
+  }
+  const tasks = [];
+  const observer = new PerformanceObserver((list) => tasks.push(...list.getEntries()));
+  observer.observe({ entryTypes: ['longtask'] });
+  await frame();
+  const since = performance.now();
+  scene.add(model);
+  shadows ??= open();
+  let thereMs = null, lookedUpMs = null, frames = 0;
+  for (let now = 0; isOurs ? lookedUpMs === null && now < 60000 : now < 3000;) {
+    await frame();
+    shadows.render(scene, camera);
+    frames += 1;
+    now = performance.now() - since;
+    const { pending } = shadows.cost ?? { pending: 1 };
+    if (pending === 0) thereMs ??= now;
+    if (pending === 0 && shadows.lights[0]?.method === 'lookup') lookedUpMs = now;
+  }
+  await frame();
+  tasks.push(...observer.takeRecords());
+  const own = tasks.filter(({ startTime, duration }) => startTime + duration > since);
+  return { renderer: rendererName(), meshes, frames, thereMs, lookedUpMs,
+    tasks: own.map(({ startTime, duration }) => ({ at: Math.round(startTime - since), ms: Math.round(duration) })) };
+}
+
+const { values: options, positionals } = parseArgs({ allowPositionals: true, options: {
+  turns: { type: 'string', default: '3' },
+  opens: { type: 'boolean', default: false },
+  only: { type: 'string' },
+} });
+const methods = options.only ? [options.only] : ['edgeshade', 'map', 'none'];
+const server = await serve(), browser = await launchChromium();
+const runs = [];
+try {
+  for (let turn = 0; turn < Number(options.turns); ++turn)
+    for (const name of positionals.length ? positionals : models)
+      for (const method of methods) {
+        const page = await browser.newPage();
+        await page.goto(`${server.address}/tests/three.html?three=three`);
+        await page.waitForFunction(() => window.page);
+        const { tasks, ...others } = await page.evaluate(measured, { name, method, opens: options.opens });
+        const durations = tasks.map(({ ms }) => ms);
+        runs.push({ model: name, method, load: loadavg()[0], ...others, above50: tasks.length, longest: Math.max(0, ...durations), tasks: tasks.map(({ at, ms }) => `${at}: ${ms}`).join(', ') });
+        await page.close();
+      }
+} finally {
+  await browser.close();
+  await server.close();
+}
+console.log(JSON.stringify({ opens: options.opens, runs }, null, 2));
