@@ -13,7 +13,7 @@ std::vector<Corners> cornersOf(const std::vector<SurfaceTriangle>& triangles) {
     return corners;
 }
 
-/// Of `count` triangles; those after `triangles` only cast.
+/// Whether each of `count` triangles casts; those after `triangles` all do.
 std::vector<std::uint8_t> castsOf(const std::vector<SurfaceTriangle>& triangles,
                                   std::size_t count) {
     std::vector<std::uint8_t> casts(count, 1);

@@ -281,8 +281,6 @@ export class ShadowMasks {
   addMerged(bytes: Uint8Array, meshes: number[], matrices: Matrix[]): number[];
   /** Uploads it ahead of add(), so that no draw() takes long. */
   upload(mesh: number): void;
-  /** A copy of what addTexels() took. */
-  texelsOf(texels: number): MaskTexels;
   /** Frees the number; meshes that were added with it stay. */
   release(mesh: number): void;
 
