@@ -40,8 +40,10 @@ const evaluated = (page, act, asked) => page.evaluate(async ({ text, given }) =>
   const comparison = await window.comparison;
   const { world, frameOf } = comparison;
   const size = [160, 90];
+  world.pixelsOf(world.method('exact'), frameOf(), ...size);
+  await world.exact.ready(); // the page goes on meanwhile, with its own lens
   world.setLens(45, size[0] / size[1]);
-  const pixelsOf = (name, changes = {}) => world.pixelsOf(world.method(name, 1024), { ...frameOf(), ...changes }, ...size);
+  const pixelsOf = (name, changes = {}) => world.pixelsOf(world.method(name, 512), { ...frameOf(), ...changes }, ...size);
   return (0, eval)(`(${text})`)({ comparison, world, frameOf, pixelsOf, size }, given);
 }, { text: act.toString(), given: asked });
 

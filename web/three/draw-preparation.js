@@ -40,6 +40,12 @@ export class DrawPreparation {
     return this.#isDone;
   }
 
+  /** Leaves all to the first masks, which wait. */
+  skip() {
+    this.#endSync();
+    this.#isDone = true;
+  }
+
   /** Called after each of the host's frames: nothing is taken over until the GPU has drawn it. */
   drawn() {
     if (this.#isDone || !this.#hasBegun) return;

@@ -188,7 +188,10 @@ export class ExactShadows extends EventTarget {
   /** Call it after that: three.js then draws without shadows. */
   endMasks(): void;
 
-  /** Resolves once everything in the last render() has its shadows. Throws any error. */
+  /**
+   * Resolves once everything in the last render() has its shadows. Frames after that lack none, at the cost of
+   * waiting for the GL's compiler if there is still something to compile. Throws any error.
+   */
   ready(): Promise<void>;
   /**
    * Resolves when the last picture is final, until the scene changes: everything has its shadows, and

@@ -164,9 +164,10 @@ export class ExactShadows extends EventTarget {
     return this;
   }
 
-  /** Resolves once everything in the last render() has its shadows. Throws any error. */
-  ready() {
-    return this.#readiness.ready(() => this.#goesOn(), () => this.#casters?.pending || !this.#prepare());
+  /** Resolves once everything in the last render() has its shadows; frames after that wait for programs. Throws any error. */
+  async ready() {
+    await this.#readiness.ready(() => this.#goesOn(), () => this.#casters?.pending || !this.#prepare());
+    this.#preparation?.skip();
   }
 
   /** Counts hours of sun on an object, under the casters of the last render(). */
@@ -308,7 +309,7 @@ export class ExactShadows extends EventTarget {
     if (!this.#last) return this.#progress.invalidate();
     this.#followLast();
     this.#prepare();
-    return this.#progress.drawn({ state: '', wait: stepWait });
+    return this.#progress.drawn({ state: this.#pendingState, wait: stepWait });
   }
 
   #followLast() {
@@ -407,12 +408,17 @@ export class ExactShadows extends EventTarget {
     return this.#casters.pending === 0 && !this.#texels.waits;
   }
 
+  /** The state of a frame that lacks something: it differs once a texture has been read, as each frame begins one. */
+  get #pendingState() {
+    return `${this.#texels.count}`;
+  }
+
   /** The state that a frame would show, and when to go on, for Progress. */
   #standing(maps = this.#maps) {
     const pending = !this.#isSettled || this.#isUnprepared;
     const shown = maps.map((map) => map && `${map.slot} ${map.id} ${map.movers}`);
     const waits = this.#resting.isWaiting(this.#lights) ? lightWait : Infinity;
-    return { state: pending ? `${this.#texels.count}` : `${this.#masks.casterState} ${shown}`, wait: pending || this.#resting.isUploading ? stepWait : waits };
+    return { state: pending ? this.#pendingState : `${this.#masks.casterState} ${shown}`, wait: pending || this.#resting.isUploading ? stepWait : waits };
   }
 
   #followMaps() {
