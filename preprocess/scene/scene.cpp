@@ -34,13 +34,17 @@ Box boundsOf(const Geometry& geometry) {
     return box;
 }
 
+Box worldBounds(const Batch& batch) {
+    Box box;
+    for (const glm::vec3& position : batch.geometry->positions)
+        box.add(glm::dvec3(batch.worldFromBatch * glm::dvec4(position, 1.0)));
+    return box;
+}
+
 Box worldBounds(const Scene& scene) {
     Box box;
-    for (const Batch& batch : scene.whole().batches) {
-        if (batch.ground || batch.hidden) continue;
-        for (const glm::vec3& position : batch.geometry->positions)
-            box.add(glm::dvec3(batch.worldFromBatch * glm::dvec4(position, 1.0)));
-    }
+    for (const Batch& batch : scene.whole().batches)
+        if (!batch.ground && !batch.hidden) box.add(worldBounds(batch));
     return box;
 }
 

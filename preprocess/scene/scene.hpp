@@ -161,6 +161,9 @@ void addSource(Geometry& geometry, int node);
 /// The box of a geometry's vertices, in its own space.
 Box boundsOf(const Geometry& geometry);
 
+/// The box of a batch's vertices in the world.
+Box worldBounds(const Batch& batch);
+
 /// The box of all vertices in the world, without those of the ground and of hidden batches. A
 /// section leaves it as it was.
 Box worldBounds(const Scene& scene);

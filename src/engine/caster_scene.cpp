@@ -36,14 +36,6 @@ bool cutAlike(const MaskAlpha& a, const MaskAlpha& b) {
            a.texcoordTransform == b.texcoordTransform;
 }
 
-/// The box of a batch's vertices in the world.
-Box worldBoundsOf(const Batch& batch) {
-    Box box;
-    for (const glm::vec3& position : batch.geometry->positions)
-        box.add(glm::dvec3(batch.worldFromBatch * glm::dvec4(position, 1.0)));
-    return box;
-}
-
 } // namespace
 
 CasterScene::CasterScene(SidesLayout layout, const gl::Capabilities& capabilities)
@@ -468,7 +460,7 @@ const Box& CasterScene::bounds() {
     bounds_.emplace();
     for (std::size_t i = 0; i < slots_.size(); ++i) {
         std::optional<Box>& box = slots_[i].inWorld;
-        if (!box) box = worldBoundsOf(loaded_.scene.batches[i]);
+        if (!box) box = worldBounds(loaded_.scene.batches[i]);
         bounds_->add(*box);
     }
     return *bounds_;

@@ -21,17 +21,13 @@ const models = ['/shared/hospital-electrical.glb', '3000', '/shared/city.draco.g
  */
 async function measured({ name, method, opens }) {
   const { three, loaded, whiten, rendererOf, lampOf, ExactShadows, rested, frame, rendererName } = window.page;
-  const { building } = await import('/tests/building.js');
+  const { building, viewOf } = await import('/tests/building.js');
   const model = name.startsWith('/') ? await loaded(name) : building(Number(name));
   const renderer = rendererOf({ width: 320, height: 180 });
   renderer.shadowMap.enabled = method === 'map';
   const scene = new three.Scene();
   const [light, target] = lampOf({ kind: 'DirectionalLight', position: [0.5, 1, -0.3] });
-  const bounds = new three.Box3().setFromObject(model), middle = bounds.getCenter(new three.Vector3());
-  const size = bounds.getSize(new three.Vector3()).length();
-  const camera = new three.PerspectiveCamera(40, 16 / 9, size / 100, 10 * size);
-  camera.position.set(0.7, 0.35, 0.6).multiplyScalar(size).add(middle);
-  camera.lookAt(middle);
+  const { camera, bounds, middle, size } = viewOf(model);
   const sun = light.position.clone().setLength(size);
   light.position.copy(middle).add(sun);
   target.position.copy(middle);

@@ -17,16 +17,12 @@ const count = Number(process.env.EDGESHADE_MESHES ?? 400);
 /** Adds a model to a page that runs, and draws until it is looked up. */
 async function start({ count: meshes, file }) {
   const { three, loaded, whiten, rendererOf, lampOf, ExactShadows, drawn, frame } = window.page;
-  const { building } = await import('/tests/building.js');
+  const { building, viewOf } = await import('/tests/building.js');
   const model = file ? await loaded(file) : building(meshes);
   const renderer = rendererOf({ width: 160, height: 90 });
   const scene = new three.Scene();
   const [light, target] = lampOf({ kind: 'DirectionalLight', position: [0.5, 1, -0.3] });
-  const bounds = new three.Box3().setFromObject(model), middle = bounds.getCenter(new three.Vector3());
-  const size = bounds.getSize(new three.Vector3()).length();
-  const camera = new three.PerspectiveCamera(40, 16 / 9, size / 100, 10 * size);
-  camera.position.set(0.7, 0.35, 0.6).multiplyScalar(size).add(middle);
-  camera.lookAt(middle);
+  const { camera, bounds, size } = viewOf(model);
   const before = new three.Mesh(new three.BoxGeometry(size / 9, size / 9, size / 9), new three.MeshStandardMaterial());
   before.castShadow = before.receiveShadow = true;
   before.position.copy(bounds.max);

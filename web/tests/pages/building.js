@@ -43,3 +43,13 @@ export function building(count, { seed = 1, width = 24 } = {}) {
   }
   return group;
 }
+
+/** A camera that sees the whole of a model, with the model's {bounds, middle, size}. */
+export function viewOf(model) {
+  const bounds = new three.Box3().setFromObject(model), middle = bounds.getCenter(new three.Vector3());
+  const size = bounds.getSize(new three.Vector3()).length();
+  const camera = new three.PerspectiveCamera(40, 16 / 9, size / 100, 10 * size);
+  camera.position.set(0.7, 0.35, 0.6).multiplyScalar(size).add(middle);
+  camera.lookAt(middle);
+  return { camera, bounds, middle, size };
+}
