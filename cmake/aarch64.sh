@@ -10,10 +10,11 @@
 aarch64_tools=(g++-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user dpkg-dev)
 aarch64_libraries=(libglm-dev nlohmann-json3-dev libtinygltf-dev libstb-dev libcli11-dev
     libgtest-dev librapidcheck-dev libwebp-dev libwebp7 libegl-dev libgles-dev libegl1 libgles2 libglvnd0
-    libgl-dev libglu1-mesa-dev)
+    libgl-dev libglu1-mesa-dev
+    libboost-dev "$(apt-cache depends libboost-dev | sed -n 's/.*Depends: //p')") # which only names its headers
 
 # Targets that ./test --long builds and runs, except for the program, which is only linked: this is
-# the one build without Embree, GLFW and cairo.
+# the one build without GLFW and cairo, and with the rays of pages in place of Embree.
 aarch64_targets=(preprocess_test closed_chain_test closed_chain_precision_test pack_hashes edgeshade)
 
 # unpack_aarch64 FOLDER: fills FOLDER/usr, unless it is complete.

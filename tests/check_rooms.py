@@ -23,7 +23,7 @@ ROOMS = (
     "preprocess/gltf", "preprocess/reading", "preprocess/packing",
     "src/image", "src/hours", "src/hours/surfaces", "src/city", "src/environment", "src/gl", "src/scene", "src/render/drawing", "src/render/timing", "src/render/technique",
     "src/render/shadow_map", "src/render/lookup", "src/render/volumes", "src/render/irregular", "src/render/frame", "src/render/accumulation",
-    "src/engine", "src/rivals/published", "src/rivals/brute_force", "src/rivals/planar", "src/rivals/maps", "src/rivals", "src/lab", "src/bench", "src/plot",
+    "src/engine", "src/rivals/published", "src/rivals/brute_force", "src/rivals/planar", "src/rivals/maps", "src/rivals", "src/lab", "src/bench", "src/rivals/synthetic", "src/plot",
     "src/viewer", "src/desktop", "src/cli", "web")
 
 # Libraries' headers, by the start of their names, and the rooms that may include them.

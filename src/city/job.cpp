@@ -5,15 +5,9 @@
 #include "src/city/lattice.hpp"
 #include "src/city/planned_bytes.hpp"
 #include "src/city/top_surface.hpp"
-
-#ifdef EDGESHADE_HAS_RAYS
 #include "src/rays/lit_rays.hpp"
-#endif
 
 namespace edgeshade::city {
-
-#ifdef EDGESHADE_HAS_RAYS
-
 namespace {
 
 /// Shares of the time at which stages end.
@@ -273,15 +267,5 @@ JobResult runJob(const ReadPlan& read, std::size_t number,
     }
     return result;
 }
-
-#else
-
-JobResult runJob(const ReadPlan&, std::size_t,
-                 const std::function<void(double, const std::string&)>&, Threads) {
-    throw Error(ExitStatus::unavailable,
-                "city run traces rays, but this program was built without Embree.");
-}
-
-#endif
 
 } // namespace edgeshade::city

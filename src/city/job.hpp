@@ -13,8 +13,7 @@ namespace edgeshade::city {
 /// the share done and what is being done.
 ///
 /// Throws InputError: a source can't be read, or isn't the one that was planned. Throws
-/// Error(usage): the plan has no such job. Throws Error(unavailable): the program was built without
-/// Embree.
+/// Error(usage): the plan has no such job.
 JobResult runJob(const ReadPlan& read, std::size_t job,
                  const std::function<void(double, const std::string&)>& progress,
                  Threads threads = {});

@@ -7,6 +7,7 @@
 #include "src/image/zlib.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace edgeshade::city {
 namespace {
@@ -17,32 +18,26 @@ constexpr std::uint64_t version = 1;
 constexpr const char* versionKey = "edgeshade_city_job";
 constexpr std::uint64_t mostCells = std::uint64_t{1} << 26;
 
+static_assert(std::endian::native == std::endian::little); // as files are
+
 template <class Number>
-void append(Bytes& bytes, Number number) {
-    for (std::size_t b = 0; b < sizeof(Number); ++b)
-        bytes.push_back(static_cast<std::uint8_t>(number >> 8 * b));
+void append(Bytes& bytes, const std::vector<Number>& numbers) {
+    const auto* const first = reinterpret_cast<const std::uint8_t*>(numbers.data());
+    bytes.insert(bytes.end(), first, first + sizeof(Number) * numbers.size());
+}
+
+/// Fills numbers from the front of bytes, which it removes.
+template <class Number>
+void take(std::span<const std::uint8_t>& bytes, std::vector<Number>& numbers) {
+    const std::size_t size = sizeof(Number) * numbers.size();
+    std::copy_n(bytes.begin(), size, reinterpret_cast<std::uint8_t*>(numbers.data()));
+    bytes = bytes.subspan(size);
 }
 
 std::size_t bytesOfCells(const JobResult& result) {
     return result.cells.count() *
            bytesOfCell(!result.months.empty(), !result.bits.empty(), result.positions);
 }
-
-/// Takes numbers from the front of bytes.
-class Taking {
-  public:
-    explicit Taking(const Bytes& bytes) : bytes_(bytes) {}
-    std::uint32_t take(std::size_t size) {
-        std::uint32_t number = 0;
-        for (std::size_t b = 0; b < size; ++b)
-            number |= std::uint32_t{bytes_[at_++]} << 8 * b;
-        return number;
-    }
-
-  private:
-    const Bytes& bytes_;
-    std::size_t at_ = 0;
-};
 
 JobResult headerFrom(const JsonField& root) {
     root.requireObject();
@@ -69,19 +64,16 @@ JobResult headerFrom(const JsonField& root) {
     return result;
 }
 
-void readCells(const Bytes& bytes, const JsonField& root, JobResult& result) {
+void readCells(std::span<const std::uint8_t> bytes, const JsonField& root, JobResult& result) {
     const std::size_t count = result.cells.count();
-    Taking taking(bytes);
-    for (std::size_t i = 0; i < count; ++i)
-        result.lit.push_back(static_cast<std::uint16_t>(taking.take(2)));
-    for (std::size_t i = 0; i < count; ++i)
-        result.objects.push_back(taking.take(4));
-    for (std::size_t i = 0; i < count; ++i)
-        result.kinds.push_back(static_cast<SurfaceKind>(taking.take(1)));
-    for (std::uint16_t& lit : result.months)
-        lit = static_cast<std::uint16_t>(taking.take(2));
-    for (std::uint8_t& bits : result.bits)
-        bits = static_cast<std::uint8_t>(taking.take(1));
+    result.lit.resize(count);
+    result.objects.resize(count);
+    result.kinds.resize(count);
+    take(bytes, result.lit);
+    take(bytes, result.objects);
+    take(bytes, result.kinds);
+    take(bytes, result.months);
+    take(bytes, result.bits);
     for (std::size_t i = 0; i < count; ++i) {
         const bool isObject = result.objects[i] < result.named.size();
         if (result.lit[i] > result.positions || result.kinds[i] > SurfaceKind::other ||
@@ -115,15 +107,11 @@ Bytes bytesOfResult(const JobResult& result) {
                          {"objects", std::move(objects)}};
     Bytes planes;
     planes.reserve(bytesOfCells(result));
-    for (const std::uint16_t lit : result.lit)
-        append(planes, lit);
-    for (const std::uint32_t object : result.objects)
-        append(planes, object);
-    for (const SurfaceKind kind : result.kinds)
-        append(planes, static_cast<std::uint8_t>(kind));
-    for (const std::uint16_t lit : result.months)
-        append(planes, lit);
-    planes.insert(planes.end(), result.bits.begin(), result.bits.end());
+    append(planes, result.lit);
+    append(planes, result.objects);
+    append(planes, result.kinds);
+    append(planes, result.months);
+    append(planes, result.bits);
     const std::string text = header.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
     Bytes bytes(text.begin(), text.end());
     const Bytes stream = deflated(planes);

@@ -1,25 +1,20 @@
 #include "preprocess/base/error.hpp"
+#include "src/cli/caster_variants.hpp"
 #include "src/cli/commands.hpp"
+#include "src/cli/contender.hpp"
 #include "src/cli/draw_settings.hpp"
 #include "src/cli/options.hpp"
 #include "src/cli/report.hpp"
-
-#include <memory>
-
-#ifdef EDGESHADE_HAS_LAB
-#include "src/cli/caster_variants.hpp"
-#include "src/cli/contender.hpp"
 #include "src/image/png.hpp"
 #include "src/lab/compare.hpp"
 #include "src/lab/compare_counts.hpp"
-
 #include "src/scene/pose.hpp"
 
 #include <algorithm>
 #include <iomanip>
+#include <memory>
 #include <set>
 #include <sstream>
-#endif
 
 namespace edgeshade::cli {
 namespace {
@@ -36,8 +31,6 @@ struct CompareOptions : SceneOptions {
     DrawSettings settings;
     std::vector<std::string> against;
 };
-
-#ifdef EDGESHADE_HAS_LAB
 
 using Json = nlohmann::ordered_json;
 
@@ -215,15 +208,6 @@ void compare(const CompareOptions& options, bool viewsTyped) {
     }
     writeReport(json, options.report);
 }
-
-#else
-
-void compare(const CompareOptions&, bool) {
-    throw Error(ExitStatus::unavailable,
-                "compare needs the ray-traced oracle, but this program was built without Embree.");
-}
-
-#endif
 
 } // namespace
 

@@ -1,18 +1,11 @@
 #include "src/cli/sensor_rays.hpp"
 
-#include "preprocess/base/error.hpp"
-
-#ifdef EDGESHADE_HAS_LAB
 #include "src/hours/surfaces/sensor_rays.hpp"
 #include "src/lab/texture_alpha.hpp"
 
 #include <memory>
-#endif
 
 namespace edgeshade::cli {
-
-#ifdef EDGESHADE_HAS_LAB
-
 namespace {
 
 rays::IsHole holesOf(const LoadedScene& loaded) {
@@ -32,14 +25,5 @@ hours::SensorLight sensorLight(const LoadedScene& loaded) {
         return rays->lit(sensors, directions);
     };
 }
-
-#else
-
-hours::SensorLight sensorLight(const LoadedScene&) {
-    throw Error(ExitStatus::unavailable,
-                "sunhours --surfaces traces rays, but this program was built without Embree.");
-}
-
-#endif
 
 } // namespace edgeshade::cli

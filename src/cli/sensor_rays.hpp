@@ -7,7 +7,7 @@ namespace edgeshade::cli {
 
 /// Light by certified rays (src/rays/), with cutouts if the scene's cast. Sensors light up from the
 /// side of their normals alone, on surfaces that cast nothing too. The scene must outlive it.
-/// Throws Error(unavailable) if the program was built without Embree; InputError.
+/// Throws InputError.
 hours::SensorLight sensorLight(const LoadedScene& loaded);
 
 } // namespace edgeshade::cli

@@ -53,6 +53,25 @@ CLI::Option* addPlaceOption(CLI::App& verb, std::optional<sun::Place>& place) {
     });
 }
 
+void addDayOptions(CLI::App& verb, DayOptions& days) {
+    const auto read = [](const std::string& name, const std::string& text) {
+        return readAs(name, [&] { return sun::dateFromText(text); });
+    };
+    CLI::Option* const date = addOption(verb, "--date", [&days, read](const std::string& text) {
+        days.from = days.to = read("--date", text);
+    });
+    CLI::Option* const from = addOption(verb, "--from", [&days, read](const std::string& text) {
+        days.from = read("--from", text);
+    });
+    CLI::Option* const to = addOption(
+        verb, "--to", [&days, read](const std::string& text) { days.to = read("--to", text); });
+    from->needs(to)->excludes(date);
+    to->needs(from)->excludes(date);
+    addOption(verb, "--utc-offset", [&days](const std::string& text) {
+        days.offset = readAs("--utc-offset", [&] { return sun::offsetFromText(text); });
+    });
+}
+
 void addSunOptions(CLI::App& verb, SunOptions& options) {
     CLI::Option* const place = addPlaceOption(verb, options.place);
     CLI::Option* const time = addOption(verb, "--time-of-day", [&](const std::string& text) {

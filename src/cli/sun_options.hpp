@@ -45,6 +45,14 @@ auto readAs(const std::string& option, Read read) {
     }
 }
 
+/// `--date`, or `--from` and `--to`, and `--utc-offset`.
+struct DayOptions {
+    std::optional<std::chrono::sys_days> from, to; ///< both or none
+    std::optional<std::chrono::minutes> offset;    ///< of the clock from UTC
+};
+
+void addDayOptions(CLI::App& verb, DayOptions& days);
+
 /// Adds `--place`.
 CLI::Option* addPlaceOption(CLI::App& verb, std::optional<sun::Place>& place);
 

@@ -1,17 +1,13 @@
 #include "preprocess/base/error.hpp"
-#include "src/cli/commands.hpp"
-#include "src/cli/report.hpp"
-#include "src/cli/sunhours_options.hpp"
-#include "src/cli/sunhours_surfaces.hpp"
-
-#include <memory>
-
-#ifdef EDGESHADE_HAS_LAB
 #include "preprocess/mesh/topology.hpp"
 #include "preprocess/reading/scene_names.hpp"
+#include "src/cli/commands.hpp"
 #include "src/cli/draw_settings.hpp"
+#include "src/cli/report.hpp"
 #include "src/cli/scene_hash.hpp"
 #include "src/cli/sunhours_files.hpp"
+#include "src/cli/sunhours_options.hpp"
+#include "src/cli/sunhours_surfaces.hpp"
 #include "src/cli/sunhours_way.hpp"
 #include "src/gl/headless_context.hpp"
 #include "src/hours/part_file.hpp"
@@ -23,12 +19,10 @@
 #include "src/shadow/view/plan_view.hpp"
 
 #include <glm/gtc/type_ptr.hpp>
-#endif
+#include <memory>
 
 namespace edgeshade::cli {
 namespace {
-
-#ifdef EDGESHADE_HAS_LAB
 
 using Json = nlohmann::ordered_json;
 
@@ -182,15 +176,6 @@ void sunHours(const SunHoursOptions& options) {
                     " of " + std::to_string(positions.size()) + " sun positions",
                 "");
 }
-
-#else
-
-void sunHours(const SunHoursOptions&) {
-    throw Error(ExitStatus::unavailable, "sunhours measures surfaces with rays, but this "
-                                         "program was built without Embree.");
-}
-
-#endif
 
 /// Throws Error(usage) for files that only --surfaces writes.
 void requirePicture(const SunHoursFiles& files) {

@@ -68,17 +68,8 @@ std::pair<std::size_t, std::size_t> partFrom(const std::string& text) {
     return {part, of};
 }
 
-void addDates(CLI::App& verb, SunHoursOptions& options) {
-    const auto addDate = [&](const std::string& name, std::optional<sys_days>& date) {
-        return addOption(verb, name, [&date, name](const std::string& text) {
-            date = readAs(name, [&] { return sun::dateFromText(text); });
-        });
-    };
-    CLI::Option* const date = addDate("--date", options.date);
-    CLI::Option* const from = addDate("--from", options.from);
-    CLI::Option* const to = addDate("--to", options.to);
-    from->needs(to)->excludes(date);
-    to->needs(from)->excludes(date);
+void addTimes(CLI::App& verb, SunHoursOptions& options) {
+    addDayOptions(verb, options.days);
     addNumber(verb, "--step", options.step);
     addOption(verb, "--hours", [&](const std::string& text) {
         const std::size_t dash = std::min(text.find('-'), text.size() - 1);
@@ -90,9 +81,6 @@ void addDates(CLI::App& verb, SunHoursOptions& options) {
                                                       "before B, both from 0 to 24");
         options.typed.opens = *opens;
         options.typed.closes = *closes;
-    });
-    addOption(verb, "--utc-offset", [&](const std::string& text) {
-        options.offset = readAs("--utc-offset", [&] { return sun::offsetFromText(text); });
     });
     addNumber(verb, "--min-altitude", options.minAltitude);
 }
@@ -128,7 +116,7 @@ LoadedScene SunHoursOptions::loadForHours(const hours::Schedule& schedule,
         warnings.add("'" + epw + "' lacks the direct normal radiation of " +
                      std::to_string(weather->missing) + " hours, which count as 0.");
     printWarnings(warnings.sentences());
-    if (!offset && !weather)
+    if (!days.offset && !weather)
         printProgress("Clock: UTC" + sun::textOf(schedule.offset) +
                       ", by the longitude; --utc-offset sets another.");
     return loaded;
@@ -146,13 +134,11 @@ hours::Schedule SunHoursOptions::schedule() const {
     schedule.place = weather ? weather->place : *place;
     schedule.step = minutes(step);
     schedule.minAltitude = minAltitude.value_or(preset ? preset->minAltitude : 0.0);
-    schedule.offset =
-        offset.value_or(weather ? weather->offset : hours::offsetNear(schedule.place.longitude));
-    if (date) {
-        schedule.from = schedule.to = *date;
-    } else if (from) {
-        schedule.from = *from;
-        schedule.to = *to;
+    schedule.offset = days.offset.value_or(weather ? weather->offset
+                                                   : hours::offsetNear(schedule.place.longitude));
+    if (days.from) {
+        schedule.from = *days.from;
+        schedule.to = *days.to;
     } else if (preset) {
         const month_day& day = preset->last;
         schedule.from = schedule.to = hours::presetYear / day.month() / day.day();
@@ -176,14 +162,14 @@ std::optional<double> SunHoursOptions::riseInWindows() const {
 }
 
 std::string SunHoursOptions::dateWarning() const {
-    if (!preset || (!date && !from)) return "";
+    if (!preset || !days.from) return "";
     const auto fits = [&](sys_days day) {
         const year_month_day ymd(day);
         const month_day at(ymd.month(), ymd.day());
         return preset->first <= at && at <= preset->last;
     };
-    const sys_days first = date ? *date : *from, last = date ? *date : *to;
-    if (fits(first) && fits(last) && last - first < days(366)) return "";
+    const sys_days first = *days.from, last = *days.to;
+    if (fits(first) && fits(last) && last - first < std::chrono::days(366)) return "";
     const auto text = [](month_day day) {
         return sun::textOf(sys_days(hours::presetYear / day.month() / day.day())).substr(5);
     };
@@ -207,7 +193,7 @@ nlohmann::ordered_json SunHoursOptions::settingsJson(const hours::Schedule& sche
         {"step", schedule.step.count()},
         {"hours", clockText(schedule.opens) + "-" + clockText(schedule.closes)},
         {"utc-offset", sun::textOf(schedule.offset)},
-        {"utc-offset-typed", offset.has_value()},
+        {"utc-offset-typed", days.offset.has_value()},
         {"min-altitude", schedule.minAltitude},
         {"north", schedule.north},
         {"plan", plan},
@@ -239,7 +225,7 @@ void addSunHoursFileOptions(CLI::App& verb, SunHoursFiles& files) {
 void addSunHoursOptions(CLI::App& verb, SunHoursOptions& options) {
     CLI::Option* const place = addPlaceOption(verb, options.place);
     addText(verb, "--epw", options.epw)->excludes(place);
-    addDates(verb, options);
+    addTimes(verb, options);
     addNumber(verb, "--north", options.typed.north);
     addThresholds(verb, options);
     addUnlitSceneOptions(verb, options);

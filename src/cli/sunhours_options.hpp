@@ -32,8 +32,7 @@ enum class SunHoursBy { automatic, rays, masks };
 struct SunHoursOptions : SceneOptions {
     SunHoursFiles files; ///< for a part, `picture` is the part's file
     std::optional<sun::Place> place;
-    std::optional<std::chrono::sys_days> date, from, to;
-    std::optional<std::chrono::minutes> offset;
+    DayOptions days;
     int step{};                        ///< minutes that each sun position stands for
     hours::Schedule typed;             ///< its hours and north
     std::optional<double> minAltitude; ///< degrees; null: the preset's, or 0

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "src/bench/synthetic.hpp"
 #include "src/cli/draw_settings.hpp"
+#include "src/rivals/synthetic/synthetic.hpp"
 
 namespace edgeshade::cli {
 

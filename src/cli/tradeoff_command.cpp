@@ -1,21 +1,15 @@
 #include "preprocess/base/error.hpp"
+#include "src/bench/pareto.hpp"
 #include "src/cli/bench_report.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/tradeoff_options.hpp"
-
-#include <memory>
-
-#ifdef EDGESHADE_HAS_LAB
-#include "src/bench/pareto.hpp"
 #include "src/cli/tradeoff_report.hpp"
 
+#include <memory>
 #include <sstream>
-#endif
 
 namespace edgeshade::cli {
 namespace {
-
-#ifdef EDGESHADE_HAS_LAB
 
 using Json = nlohmann::ordered_json;
 
@@ -86,15 +80,6 @@ void tradeoff(const TradeoffOptions& options) {
         throw Error(ExitStatus::unavailable,
                     "No setting stays within " + limitsOf(options) + " here.");
 }
-
-#else
-
-void tradeoff(const TradeoffOptions&) {
-    throw Error(ExitStatus::unavailable,
-                "tradeoff needs the ray-traced oracle, but this program was built without Embree.");
-}
-
-#endif
 
 } // namespace
 

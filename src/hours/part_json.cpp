@@ -6,7 +6,6 @@
 #include "src/hours/settings.hpp"
 #include "src/image/zlib.hpp"
 
-#include <bit>
 #include <cmath>
 
 namespace edgeshade::hours {
@@ -16,17 +15,6 @@ constexpr std::uint64_t largestFile = std::uint64_t{2} << 30;
 constexpr std::uint64_t mostParts = mostPositions;
 /// The array without elements, of which zlib makes no stream.
 constexpr const char* noElements = "data:,";
-
-std::uint32_t bitsOf(float value) {
-    return std::bit_cast<std::uint32_t>(value);
-}
-std::uint64_t bitsOf(double value) {
-    return std::bit_cast<std::uint64_t>(value);
-}
-template <class T>
-T bitsOf(T value) {
-    return value;
-}
 
 /// Names by index; none occurs twice.
 std::map<std::uint32_t, std::string> namesFrom(const JsonField& field) {
@@ -66,55 +54,24 @@ std::vector<Position> positionsFrom(const JsonField& root, const PartNumber& par
 
 } // namespace
 
-template <class T>
-std::string packed(std::span<const T> values) {
-    if (values.empty()) return noElements;
-    Bytes bytes;
-    bytes.reserve(values.size_bytes());
-    for (const T value : values)
-        for (std::size_t b = 0; b < sizeof(T); ++b)
-            bytes.push_back(static_cast<std::uint8_t>(bitsOf(value) >> 8 * b));
+std::string packedBytes(std::span<const std::uint8_t> bytes) {
+    if (bytes.empty()) return noElements;
     return "data:application/zlib;base64," + base64(deflated(bytes));
 }
 
-template <class T>
-std::vector<T> unpacked(const JsonField& field, const std::filesystem::path& path,
-                        std::size_t count) {
-    if (count == 0) {
+Bytes unpackedBytes(const JsonField& field, const std::filesystem::path& path, std::size_t size) {
+    if (size == 0) {
         if (field.text() != noElements)
             field.fail(std::string(" is not '") + noElements + "', as there are no elements");
         return {};
     }
     const Bytes stream = dataOfUri(field.text(), "'" + path.string() + "': " + field.name());
-    const std::optional<Bytes> bytes = inflated(stream, sizeof(T) * count);
+    std::optional<Bytes> bytes = inflated(stream, size);
     if (!bytes)
-        field.fail(" is not a zlib stream of the " + std::to_string(sizeof(T) * count) +
+        field.fail(" is not a zlib stream of the " + std::to_string(size) +
                    " bytes that the size requires");
-    using Bits = decltype(bitsOf(T()));
-    std::vector<T> values(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        Bits bits = 0;
-        for (std::size_t b = sizeof(T); b-- > 0;)
-            bits = static_cast<Bits>(sizeof(T) == 1 ? 0 : bits << 8) |
-                   static_cast<Bits>((*bytes)[sizeof(T) * i + b]);
-        values[i] = std::bit_cast<T>(bits);
-    }
-    return values;
+    return std::move(*bytes);
 }
-
-template std::string packed(std::span<const std::uint8_t>);
-template std::string packed(std::span<const std::uint16_t>);
-template std::string packed(std::span<const std::uint32_t>);
-template std::string packed(std::span<const float>);
-template std::string packed(std::span<const double>);
-template std::vector<std::uint8_t> unpacked(const JsonField&, const std::filesystem::path&,
-                                            std::size_t);
-template std::vector<std::uint16_t> unpacked(const JsonField&, const std::filesystem::path&,
-                                             std::size_t);
-template std::vector<std::uint32_t> unpacked(const JsonField&, const std::filesystem::path&,
-                                             std::size_t);
-template std::vector<float> unpacked(const JsonField&, const std::filesystem::path&, std::size_t);
-template std::vector<double> unpacked(const JsonField&, const std::filesystem::path&, std::size_t);
 
 nlohmann::ordered_json vectorJson(const glm::dvec3& v) {
     return {v.x, v.y, v.z};

@@ -1,8 +1,11 @@
 #pragma once
 
+#include "preprocess/base/file_io.hpp"
 #include "preprocess/gltf/json_field.hpp"
 #include "src/hours/part.hpp"
 
+#include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -15,15 +18,28 @@ namespace edgeshade::hours {
 // Pieces of part files that pictures and surfaces share. Readers are safe on untrusted input,
 // and throw InputError naming file, field and value.
 
-/// An array as a data URI of a zlib stream, little-endian; without elements "data:,". T: an
-/// unsigned integer, float or double. Throws Error(unavailable) for more than 2^30 bytes.
-template <class T>
-std::string packed(std::span<const T> values);
+/// Bytes as a data URI of a zlib stream; without bytes "data:,". Throws Error(unavailable) for more
+/// than 2^30.
+std::string packedBytes(std::span<const std::uint8_t> bytes);
+/// Reads packedBytes() of `size` bytes, at most 2^30.
+Bytes unpackedBytes(const JsonField& field, const std::filesystem::path& path, std::size_t size);
 
-/// Reads packed() arrays of `count` elements, at most 2^30 bytes.
+static_assert(std::endian::native == std::endian::little); // as files are
+
+/// An array of numbers as packedBytes(), little-endian.
+template <class T>
+std::string packed(std::span<const T> values) {
+    return packedBytes({reinterpret_cast<const std::uint8_t*>(values.data()), values.size_bytes()});
+}
+/// Reads packed() arrays of `count` elements.
 template <class T>
 std::vector<T> unpacked(const JsonField& field, const std::filesystem::path& path,
-                        std::size_t count);
+                        std::size_t count) {
+    const Bytes bytes = unpackedBytes(field, path, sizeof(T) * count);
+    std::vector<T> values(count);
+    std::copy(bytes.begin(), bytes.end(), reinterpret_cast<std::uint8_t*>(values.data()));
+    return values;
+}
 
 nlohmann::ordered_json vectorJson(const glm::dvec3& vector);
 /// A vector of finite numbers.

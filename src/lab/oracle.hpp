@@ -80,7 +80,6 @@ struct AlphaLookup {
 /// one out of its range or its cone.
 class Oracle {
   public:
-    /// Throws Error(unavailable) if the program was built without Embree.
     Oracle(const Question& question, const AlphaLookup& alpha);
     Oracle(const Oracle&) = delete;
     Oracle& operator=(const Oracle&) = delete;

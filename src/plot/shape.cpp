@@ -25,26 +25,14 @@ std::vector<Point> around(Point center, int corners, double turn,
 /// A cross, turned by an eighth.
 std::vector<Point> crossAround(Point center, double reach, double half) {
     const double c = std::numbers::sqrt2 / 2.0;
-    constexpr std::array<std::array<int, 2>, 12> corners = {{{-1, -3},
-                                                             {1, -3},
-                                                             {1, -1},
-                                                             {3, -1},
-                                                             {3, 1},
-                                                             {1, 1},
-                                                             {1, 3},
-                                                             {-1, 3},
-                                                             {-1, 1},
-                                                             {-3, 1},
-                                                             {-3, -1},
-                                                             {-1, -1}}};
-    const auto length = [&](int part) {
-        return std::copysign(std::abs(part) == 3 ? reach : half, part);
-    };
+    std::array<Point, 3> arm = {{{-half, -reach}, {half, -reach}, {half, -half}}};
     std::vector<Point> points;
-    for (const auto& corner : corners) {
-        const double x = length(corner[0]), y = length(corner[1]);
-        points.push_back({center.x + c * (x - y), center.y + c * (x + y)});
-    }
+    for (int quarter = 0; quarter < 4; ++quarter)
+        for (Point& corner : arm) {
+            const auto [x, y] = corner;
+            points.push_back({center.x + c * (x - y), center.y + c * (x + y)});
+            corner = {-y, x};
+        }
     return points;
 }
 

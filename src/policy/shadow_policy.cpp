@@ -1,5 +1,7 @@
 #include "src/policy/shadow_policy.hpp"
 
+#include "preprocess/base/names.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -137,21 +139,14 @@ bool onlyWhatPays(const PolicySettings& settings) {
 } // namespace
 
 const char* wordFor(Technique technique) {
-    switch (technique) {
-    case Technique::volumes:
-        return "volumes";
-    case Technique::lookup:
-        return "primitive-map";
-    case Technique::points:
-        return "irregular-z-buffer";
-    case Technique::map:
-        return "map";
-    case Technique::planar:
-        return "planar";
-    case Technique::none:
-        break;
-    }
-    return "none";
+    using enum Technique;
+    return nameIn({{none, "none"},
+                   {volumes, "volumes"},
+                   {lookup, "primitive-map"},
+                   {points, "irregular-z-buffer"},
+                   {map, "map"},
+                   {planar, "planar"}},
+                  technique);
 }
 
 LightChoice ShadowPolicy::choose(const LightFacts& light, const LookupFacts& lookup) const {

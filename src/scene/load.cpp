@@ -1,5 +1,6 @@
 #include "src/scene/load.hpp"
 
+#include "preprocess/base/names.hpp"
 #include "preprocess/gltf/gltf_reading.hpp"
 #include "preprocess/mesh/caster_simplification.hpp"
 #include "preprocess/packing/shadow_extension.hpp"
@@ -14,17 +15,9 @@
 namespace edgeshade {
 
 const char* nameOf(LoadStage stage) {
-    switch (stage) {
-    case LoadStage::read:
-        return "read";
-    case LoadStage::flatten:
-        return "flatten";
-    case LoadStage::images:
-        return "images";
-    case LoadStage::shadows:
-        break;
-    }
-    return "shadows";
+    using enum LoadStage;
+    return nameIn({{read, "read"}, {flatten, "flatten"}, {images, "images"}, {shadows, "shadows"}},
+                  stage);
 }
 
 LoadedScene readScene(const std::filesystem::path& path,

@@ -41,11 +41,6 @@ class Tradeoff : public testing::Test {
         return ended(arguments);
     }
 
-    /// Without an oracle in this build nothing of the report is tested.
-    static bool hasLab(const ProcessResult& result) {
-        return result.err.find("built without Embree") == std::string::npos;
-    }
-
     TempFolder folder_;
     std::string input_;
 };
@@ -55,7 +50,6 @@ using LongTradeoff = Tradeoff;
 TEST_F(Tradeoff, RowsHaveTheKeysOfTheContractAndTheFrontIsOne) {
     const std::string plot = folder_ / "plot.svg";
     const ProcessResult result = run({"--plot", plot});
-    if (!hasLab(result)) GTEST_SKIP();
     ASSERT_EQ(result.status, 0) << result.err;
     const Json report = Json::parse(result.out);
     ASSERT_GE(report["rows"].size(), 10u);
@@ -84,7 +78,6 @@ TEST_F(Tradeoff, RowsHaveTheKeysOfTheContractAndTheFrontIsOne) {
 
 TEST_F(Tradeoff, SaysTheSettingToTakeAsOptionsThatRenderTakes) {
     const ProcessResult result = run({"--budget-ms", "1000000", "--max-wrong-percent", "100"});
-    if (!hasLab(result)) GTEST_SKIP();
     ASSERT_EQ(result.status, 0) << result.err;
     const Json take = Json::parse(result.out)["take"];
     std::vector<std::string> arguments = {"render", input_, folder_ / "out.png", "--size", "16x16"};
@@ -98,7 +91,6 @@ TEST_F(Tradeoff, SaysTheSettingToTakeAsOptionsThatRenderTakes) {
 
 TEST_F(Tradeoff, CoarserCastersAreRowsAndTheirOptionsWorkInRender) {
     const ProcessResult result = run({"--caster-error", "0.5", "--cast-masked"});
-    if (!hasLab(result)) GTEST_SKIP();
     ASSERT_EQ(result.status, 0) << result.err;
     std::size_t simplified = 0, flat = 0, welded = 0;
     const Json report = Json::parse(result.out);
@@ -137,7 +129,6 @@ TEST_F(LongTradeoff, OfEightLampsShadowsForSomeAreRowsJudgedByAnOracleOfAll) {
     }
     const std::string scene = folder_.write("boxes.glb", boxesOnAFloor().glb());
     const ProcessResult result = runOf(scene, arguments);
-    if (!hasLab(result)) GTEST_SKIP();
     ASSERT_EQ(result.status, 0) << result.err;
     const Json report = Json::parse(result.out);
     std::map<std::string, Json> rows;
@@ -163,7 +154,6 @@ TEST_F(LongTradeoff, OfEightLampsShadowsForSomeAreRowsJudgedByAnOracleOfAll) {
 
 TEST_F(Tradeoff, WhereNoSettingWillDoItSaysSoAfterTheReport) {
     const ProcessResult result = run({"--budget-ms", "0.000001"});
-    if (!hasLab(result)) GTEST_SKIP();
     EXPECT_EQ(result.status, 3);
     EXPECT_TRUE(Json::parse(result.out)["take"].is_null());
     EXPECT_NE(result.err.find("No setting stays within"), std::string::npos);
@@ -173,7 +163,6 @@ TEST_F(Tradeoff, ACameraOfYoursIsTheOnlyView) {
     const ProcessResult result =
         ended({"tradeoff", input_, "--frames", "1", "--size", "16x16", "--largest-map", "512",
                "--camera-from", "9,9,9", "--camera-to", "0,0,0", "--report", "-"});
-    if (!hasLab(result)) GTEST_SKIP();
     ASSERT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(Json::parse(result.out)["views"], 1);
 }
@@ -181,7 +170,6 @@ TEST_F(Tradeoff, ACameraOfYoursIsTheOnlyView) {
 TEST_F(Tradeoff, WithoutTimeAllRowsGetOneFrameAndOneView) {
     const ProcessResult result = ended({"tradeoff", input_, "--size", "48x32", "--largest-map",
                                         "512", "--time-limit", "0.001", "--report", "-"});
-    if (!hasLab(result)) GTEST_SKIP();
     ASSERT_EQ(result.status, 0) << result.err;
     const Json report = Json::parse(result.out);
     EXPECT_EQ(report["time_limit"], 0.001);
@@ -196,7 +184,6 @@ TEST_F(Tradeoff, WhatIsDroppedEarlyStaysInTheReportAndIsNotOnTheFront) {
     const ProcessResult result =
         ended({"tradeoff", input_, "--size", "16x16", "--largest-map", "512", "--frames", "16",
                "--views", "4", "--timing", "processor", "--report", "-"});
-    if (!hasLab(result)) GTEST_SKIP();
     ASSERT_EQ(result.status, 0) << result.err;
     const Json report = Json::parse(result.out);
     EXPECT_EQ(report["frames"], 16);
@@ -215,7 +202,6 @@ TEST_F(Tradeoff, WhatIsDroppedEarlyStaysInTheReportAndIsNotOnTheFront) {
 
 TEST_F(Tradeoff, AnotherSettingIsOneMoreRow) {
     const ProcessResult result = run({"--against", "shadows=map,map-size=300"});
-    if (!hasLab(result)) GTEST_SKIP();
     ASSERT_EQ(result.status, 0) << result.err;
     const Json last = Json::parse(result.out)["rows"].back();
     EXPECT_EQ(last["name"], "shadows=map,map-size=300");

@@ -1,5 +1,6 @@
 #include "src/hours/surfaces/cells_csv.hpp"
 
+#include "preprocess/base/names.hpp"
 #include "src/hours/exposure.hpp"
 
 #include <charconv>
@@ -65,14 +66,8 @@ std::string timeText(const SurfaceRun& run, std::uint32_t position, int halfStep
 }
 
 std::string_view wordOf(CellState state) {
-    switch (state) {
-    case CellState::inside:
-        return "inside";
-    case CellState::within:
-        return "within";
-    default:
-        return "";
-    }
+    using enum CellState;
+    return nameIn({{counted, ""}, {inside, "inside"}, {within, "within"}}, state);
 }
 
 void addNumber(Table& table, std::uint32_t index) {

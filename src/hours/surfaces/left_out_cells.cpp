@@ -4,11 +4,12 @@
 #include "preprocess/base/vectors.hpp"
 #include "preprocess/mesh/components.hpp"
 #include "preprocess/mesh/topology.hpp"
-#include "src/hours/surfaces/triangle_boxes.hpp"
+#include "src/rays/ray_tree.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace edgeshade::hours {
@@ -43,11 +44,21 @@ std::optional<double> meetingOf(const WorldTriangle& triangle, const glm::dvec3&
     return glm::dot(normal, a) / slope;
 }
 
+rays::RayTree treeOf(std::span<const WorldTriangle> triangles) {
+    std::vector<rays::Corners> corners;
+    std::vector<std::uint32_t> all;
+    for (const WorldTriangle& triangle : triangles) {
+        all.push_back(static_cast<std::uint32_t>(corners.size()));
+        corners.push_back({triangle.a, triangle.b, triangle.c});
+    }
+    return {corners, std::move(all)};
+}
+
 class LeftOut {
   public:
     LeftOut(const SurfaceCells& cells, std::span<const WorldTriangle> solids)
         : cells_(cells), solids_(solids), tolerance_(onPlane * reachOf(cells.triangles, solids)),
-          chosenBoxes_(cells.triangles, tolerance_), solidBoxes_(solids, tolerance_) {}
+          chosenTree_(treeOf(cells.triangles)), solidTree_(treeOf(solids)) {}
 
     CellState stateOf(const Cell& cell) const {
         if (isInside(cell)) return CellState::inside;
@@ -79,13 +90,15 @@ class LeftOut {
     /// The winding number just off the surface: exits of a ray from solids, less entries.
     int windingAlong(const Cell& cell, const glm::dvec3& direction) const {
         int winding = 0;
-        solidBoxes_.forRay(cell.point, direction, [&](std::uint32_t t) {
+        constexpr double anyFar = std::numeric_limits<double>::infinity();
+        solidTree_.visit(cell.point, direction, anyFar, [&](std::uint32_t t) {
             const std::optional<double> at = meetingOf(solids_[t], cell.point, direction);
-            if (!at) return;
+            if (!at) return false;
             const glm::dvec3 normal = glm::normalize(normalOf(solids_[t]));
             const bool parallel = std::abs(glm::dot(normal, cell.normal)) > sameFacing;
-            if (*at <= (parallel ? tolerance_ : 0.0)) return;
+            if (*at <= (parallel ? tolerance_ : 0.0)) return false;
             winding += glm::dot(normal, direction) > 0.0 ? 1 : -1;
+            return false;
         });
         return winding;
     }
@@ -93,16 +106,19 @@ class LeftOut {
     bool isWithin(const Cell& cell) const {
         const glm::dvec3 foot = cells_.footOf(cell);
         bool within = false;
-        chosenBoxes_.forPoint(foot, [&](std::uint32_t t) {
-            if (within || t >= cell.triangle || cells_.patchOf[t] == cells_.patchOf[cell.triangle])
-                return;
+        const glm::dvec3 below = foot - tolerance_ * cell.normal;
+        chosenTree_.visit(below, cell.normal, 2.0 * tolerance_, [&](std::uint32_t t) {
+            if (t >= cell.triangle || cells_.patchOf[t] == cells_.patchOf[cell.triangle])
+                return false;
             const WorldTriangle& other = cells_.triangles[t];
             const glm::dvec3 normal = normalOf(other);
             const double length = glm::length(normal);
-            if (!(length > 0.0) || glm::dot(normal, cell.normal) < sameFacing * length) return;
+            if (!(length > 0.0) || glm::dot(normal, cell.normal) < sameFacing * length)
+                return false;
             // One direction for all triangles: no point falls between two neighbours.
             const std::optional<double> at = meetingOf(other, foot, cell.normal);
             within = at && std::abs(*at) <= tolerance_;
+            return within;
         });
         return within;
     }
@@ -110,7 +126,7 @@ class LeftOut {
     const SurfaceCells& cells_;
     std::span<const WorldTriangle> solids_;
     double tolerance_; ///< in scene units
-    TriangleBoxes chosenBoxes_, solidBoxes_;
+    rays::RayTree chosenTree_, solidTree_;
 };
 
 void addSolids(const Scene& scene, std::uint32_t number, bool castMasked,

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "src/bench/synthetic_mesh.hpp"
 #include "src/gl/capabilities.hpp"
 #include "src/rivals/published/volume_program.hpp"
+#include "src/rivals/synthetic/synthetic_mesh.hpp"
 
 #include <functional>
 #include <memory>

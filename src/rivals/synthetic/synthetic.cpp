@@ -1,9 +1,9 @@
-#include "src/bench/synthetic.hpp"
+#include "src/rivals/synthetic/synthetic.hpp"
 
 #include "preprocess/base/error.hpp"
 #include "src/bench/statistics.hpp"
-#include "src/bench/synthetic_layouts.hpp"
 #include "src/gl/headless_context.hpp"
+#include "src/rivals/synthetic/synthetic_layouts.hpp"
 
 #include <algorithm>
 #include <GLES2/gl2.h>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "src/bench/equation_fit.hpp"
-#include "src/bench/synthetic_mesh.hpp"
 #include "src/gl/span_timer.hpp"
 #include "src/rivals/published/volume_program.hpp"
+#include "src/rivals/synthetic/equation_fit.hpp"
+#include "src/rivals/synthetic/synthetic_mesh.hpp"
 
 #include <functional>
 #include <optional>

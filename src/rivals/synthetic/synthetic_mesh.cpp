@@ -1,4 +1,4 @@
-#include "src/bench/synthetic_mesh.hpp"
+#include "src/rivals/synthetic/synthetic_mesh.hpp"
 
 #include "shaders_es2/record_layout.glsl"
 

@@ -1,4 +1,4 @@
-#include "src/bench/equation_fit.hpp"
+#include "src/rivals/synthetic/equation_fit.hpp"
 
 #include <gtest/gtest.h>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "src/bench/synthetic_layouts.hpp"
+#include "src/rivals/synthetic/synthetic_layouts.hpp"
 
 #include "src/render/volumes/plane_pair_volumes.hpp"
 #include "src/rivals/published/record_passes.hpp"

@@ -1,4 +1,4 @@
-#include "src/bench/synthetic.hpp"
+#include "src/rivals/synthetic/synthetic.hpp"
 #include "tests/support/record_multiplicity.hpp"
 
 #include <algorithm>
