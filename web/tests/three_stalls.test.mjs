@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { useBrowser } from './support/browser.mjs';
-import { openThree } from './support/three.mjs';
+import { openThree, releases } from './support/three.mjs';
 
 const shared = useBrowser();
 
@@ -210,3 +210,59 @@ test('without KHR_parallel_shader_compile masks come as well', async () => {
   assert.equal(told.error, 0);
   await shared.check(page, [/GPU stall due to ReadPixels/]);
 });
+
+for (const release of releases)
+  test(`${release}: the first frame compiles nothing after compileAsync() and ready()`, async () => {
+    const page = await openThree(shared, release);
+    const told = await page.evaluate(async () => {
+      const { yard, three, ExactShadows, cameraOf } = window.page;
+      const { renderer, scene, mesh } = yard({ width: 80, height: 60 });
+      const camera = cameraOf({ from: [9, 8, 10], to: [0, 0.6, 0], fov: 50 }, 4 / 3);
+      const behind = mesh(new three.BoxGeometry()); // no frame draws it
+      behind.material = new three.MeshPhongMaterial();
+      behind.receiveShadow = true;
+      behind.position.set(40, 30, 50);
+      scene.add(behind);
+      const gl = renderer.getContext(), { linkProgram } = gl, linked = [];
+      gl.linkProgram = (program) => {
+        linked.push(gl.getAttachedShaders(program).map((shader) => gl.getShaderSource(shader)).join(''));
+        linkProgram.call(gl, program);
+      };
+      // A compiler that tells when it is done, after two questions for each program.
+      const { getExtension, getProgramParameter } = gl, asked = new Map(), status = 0x91B1; // COMPLETION_STATUS_KHR
+      gl.getExtension = (name) => (name === 'KHR_parallel_shader_compile' ? { COMPLETION_STATUS_KHR: status } : getExtension.call(gl, name));
+      gl.getProgramParameter = (program, name) => {
+        if (name !== status) return getProgramParameter.call(gl, program, name);
+        asked.set(program, (asked.get(program) ?? 0) + 1);
+        return asked.get(program) > 2;
+      };
+      const shadows = new ExactShadows(renderer).add(scene);
+      await shadows.compileAsync(scene, camera);
+      const awaited = [...asked.values()].filter((count) => count > 2).length;
+      const patched = linked.filter((source) => source.includes('edgeshade')).length;
+      await shadows.ready();
+      const ahead = linked.length;
+      shadows.render(scene, camera);
+      const first = linked.splice(0), { vertexRuns } = shadows.cost;
+      // A new material that only later frames would draw: ready() compiles it, too.
+      const later = mesh(new three.BoxGeometry());
+      later.material = new three.MeshToonMaterial();
+      later.receiveShadow = true;
+      later.position.set(40, 30, 50);
+      scene.add(later);
+      shadows.render(scene, camera);
+      const drawn = linked.length;
+      await shadows.ready();
+      const ready = linked.length;
+      later.position.set(1, 0.5, 1);
+      shadows.render(scene, camera);
+      return { patched, awaited, ahead, first: first.length, vertexRuns, drawn, ready, after: linked.length, error: gl.getError() };
+    });
+    console.log(told);
+    assert.ok(told.patched >= 2, 'materials are compiled with their shadows, those out of sight, too');
+    assert.ok(told.awaited >= (release === 'three-0.152' ? 0 : 2), 'compileAsync() waits for them where three.js can');
+    assert.equal(told.first, told.ahead, 'the first frame compiles nothing');
+    assert.ok(told.vertexRuns > 0, 'and has its shadows');
+    assert.deepEqual([told.ready - told.drawn, told.after - told.ready, told.error], [1, 0, 0]);
+    await shared.check(page);
+  });

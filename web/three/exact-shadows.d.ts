@@ -189,8 +189,14 @@ export class ExactShadows extends EventTarget {
   endMasks(): void;
 
   /**
-   * Resolves once everything in the last render() has its shadows. Frames after that lack none, at the cost of
-   * waiting for the GL's compiler if there is still something to compile. Throws any error.
+   * Compiles the scene's materials with their shadows, in place of the renderer's own compileAsync(). Resolves once
+   * they can be drawn; with `KHR_parallel_shader_compile` and three.js from r158 on the page goes on meanwhile.
+   */
+  compileAsync(scene: Object3D, camera: Camera): Promise<void>;
+  /**
+   * Resolves once everything in the last render() or compileAsync() has its shadows, and all its materials are
+   * compiled. Frames after that lack none, at the cost of waiting for the GL's compiler if there is still something
+   * to compile. Throws any error.
    */
   ready(): Promise<void>;
   /**

@@ -12,6 +12,7 @@ import { engineViewOf } from './engine-view.js';
 import { mostSlots, slotName } from './lit.glsl.js';
 import { MaskTextures } from './mask-textures.js';
 import { MaskViews } from './mask-views.js';
+import { MaterialCompiling } from './material-compiling.js';
 import { MaterialPatches } from './material-patch.js';
 import { ProductDrawing } from './product-drawing.js';
 import { Progress } from './progress.js';
@@ -71,6 +72,7 @@ export class ExactShadows extends EventTarget {
   #keepsState;
   #textures;
   #patches;
+  #compiling;
   #viewport = new Vector4();
   #uniforms = {
     edgeshadeMasks: { value: [null] },
@@ -120,6 +122,7 @@ export class ExactShadows extends EventTarget {
     this.#keepsState = keepsState;
     this.#mostLookedUp = Math.min(lookups, mostSlots);
     this.#textures = new MaskTextures(renderer);
+    this.#compiling = new MaterialCompiling(renderer);
     this.#patches = new MaterialPatches(this.#uniforms, renderer.capabilities.maxTextures, this.#mostLookedUp, (camera) => this.#views?.show(camera), (material) => this.#displacements?.lacks(material) ?? true);
     const canvas = renderer.domElement;
     canvas.addEventListener('webglcontextlost', this.#forget);
@@ -164,10 +167,30 @@ export class ExactShadows extends EventTarget {
     return this;
   }
 
-  /** Resolves once everything in the last render() has its shadows; frames after that wait for programs. Throws any error. */
+  /**
+   * Resolves once everything in the last render() or compileAsync() has its shadows, and all programs are
+   * compiled; frames after that wait for programs. Throws any error.
+   */
   async ready() {
     await this.#readiness.ready(() => this.#goesOn(), () => this.#casters?.pending || !this.#prepare());
     this.#preparation?.skip();
+    if (this.#goesOn()) await this.#compile(this.#last);
+  }
+
+  /**
+   * Compiles the scene's materials with their shadows, in place of the renderer's compileAsync(). Resolves once
+   * they can be drawn.
+   */
+  async compileAsync(scene, camera) {
+    if (this.#disposed) throw new Error('These ExactShadows were disposed of.');
+    this.#last = { scene, camera };
+    this.#follow(this.#last);
+    await this.#compile(this.#last);
+  }
+
+  async #compile({ scene, camera }) {
+    const materials = this.#patches.materials;
+    if (camera.isCamera && this.#compiling.waits(materials)) await this.#compiling.compile(scene, camera, materials);
   }
 
   /** Counts hours of sun on an object, under the casters of the last render(). */

@@ -121,10 +121,12 @@ export class MaterialPatches {
     const more = Object.keys(this.#casters).filter((name) => wanted[name] && !this.#casters[name]);
     if (!more.length) return;
     this.#casters = { ...this.#casters, ...Object.fromEntries(more.map((name) => [name, true])) };
-    for (const reference of this.#alive) {
-      const material = reference.deref();
-      if (material) material.needsUpdate = true;
-    }
+    for (const material of this.materials) material.needsUpdate = true;
+  }
+
+  /** Materials that are patched. */
+  get materials() {
+    return [...this.#alive].map((reference) => reference.deref()).filter(Boolean);
   }
 
   /**
@@ -181,9 +183,7 @@ export class MaterialPatches {
 
   /** Restores all materials. */
   clear() {
-    for (const reference of this.#alive) {
-      const material = reference.deref();
-      if (!material) continue;
+    for (const material of this.materials) {
       const { onBeforeCompile, customProgramCacheKey, onBeforeRender, own, ownRender } = this.#patched.get(material);
       material.onBeforeCompile = onBeforeCompile;
       if (own) material.customProgramCacheKey = customProgramCacheKey;
