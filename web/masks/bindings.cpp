@@ -216,8 +216,8 @@ class PageMasks {
             LookupSettings settings{size, static_cast<std::size_t>(mostBytes), restMs,
                                     lightSamples};
             settings.casters = {cutouts, tints};
-            tasks_.emplace(nextTask_, TaskTransfer(masks().lookupWork(lightAt(at<double>(light)),
-                                                                      settings)));
+            tasks_.emplace(nextTask_,
+                           TaskTransfer(masks().lookupWork(lightAt(at<double>(light)), settings)));
         });
         return made ? nextTask_++ : -1;
     }

@@ -116,7 +116,8 @@ Bytes TaskTransfer::next(std::size_t most) {
     bytes.reserve(most);
     while (bytes.size() < most) {
         const bool isOwn = begun_ < own_.size();
-        const std::span<const std::uint8_t> from = isOwn ? std::span<const std::uint8_t>(own_) : shared_;
+        const std::span<const std::uint8_t> from =
+            isOwn ? std::span<const std::uint8_t>(own_) : shared_;
         const std::size_t start = isOwn ? begun_ : begun_ - own_.size();
         const auto part = from.subspan(start, std::min(most - bytes.size(), from.size() - start));
         bytes.insert(bytes.end(), part.begin(), part.end());

@@ -19,7 +19,8 @@ class TaskTransfer {
     /// Takes time linear in the number of casters, not of their triangles.
     explicit TaskTransfer(const LookupWork& work);
 
-    /// The next bytes, as many as `most` (> 0), fewer only at the end; empty once all were returned.
+    /// The next bytes, as many as `most` (> 0), fewer only at the end; empty once all were
+    /// returned.
     Bytes next(std::size_t most);
 
   private:
@@ -27,7 +28,7 @@ class TaskTransfer {
     bool begin();
 
     std::shared_ptr<const LookupWork::Data> work_;
-    // What casters share, by first use.
+    // Values that casters share, by first use.
     std::vector<const PlanePairShadow*> shapes_;
     std::vector<const PreparedMesh::Data*> meshes_;
     std::vector<const MaskTexels*> texels_;

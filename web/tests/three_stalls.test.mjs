@@ -163,7 +163,7 @@ test("programs of masks are taken over once the GPU's compiler and its draws are
       });
     }
     instead('getSyncParameter', (ask) => (draws ? gl.UNSIGNALED : ask()));
-    const shadows = new ExactShadows(renderer).add(scene);
+    const shadows = new ExactShadows(renderer, { lookups: 0 }).add(scene);
     const stages = [];
     const stage = async (frames) => {
       for (let i = 0; i < frames; ++i) {
@@ -188,8 +188,9 @@ test("programs of masks are taken over once the GPU's compiler and its draws are
   assert.ok(drawing.programs > 10 && !drawing.masks, 'all are begun at once, while pictures come without masks');
   assert.ok(compiling.looks > drawing.looks && !compiling.masks, `${compiling.looks} looks at their completion`);
   assert.ok(ready.masks && more.masks);
-  assert.deepEqual([compiling.early, ready.early], [0, 0], 'nothing is asked of a program before');
-  assert.equal(more.programs, drawing.programs, 'the first masks, and those of more meshes, compile no others');
+  assert.deepEqual([compiling.early, ready.early, more.early], [0, 0, 0], 'nothing is asked of a program before');
+  assert.equal(ready.programs, drawing.programs, 'the first masks compile no others');
+  assert.ok(more.programs <= drawing.programs + 3, 'open meshes take three more');
   assert.equal(told.error, 0);
   await shared.check(page, [/GPU stall due to ReadPixels/]);
 });
@@ -294,7 +295,7 @@ test('many new meshes are read in steps, and those that go meanwhile are gone', 
   }, slowClock.toString());
   console.log(told);
   assert.ok(Math.max(...told.steps) <= 400, `${told.steps} meshes in steps`);
-  assert.ok(told.steps.length > 3);
+  assert.ok(told.steps.length > 1);
   assert.deepEqual([told.first, told.pending], [1200, 0]);
   await shared.check(page, [/GPU stall due to ReadPixels/]);
 });
@@ -324,7 +325,7 @@ test('open meshes are added once the programs of their masks are there', async (
       return getProgramParameter.apply(gl, given);
     };
     for (let i = 0; i < 400; ++i) {
-      const sheet = new three.Mesh(new three.PlaneGeometry(0.3, 0.3), ground.material);
+      const sheet = new three.Mesh(new three.PlaneGeometry(0.3, 0.3, 2, 2), ground.material);
       sheet.position.set(0.4 * (i % 20) - 4, 1 + 0.05 * Math.floor(i / 20), 0.4 * Math.floor(i / 20) - 4);
       sheet.rotation.x = -1;
       sheet.castShadow = sheet.receiveShadow = true;

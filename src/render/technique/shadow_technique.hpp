@@ -50,8 +50,7 @@ class ShadowTechnique {
 
     /// Begins to make, ahead of the first frame, programs that most closed casters take;
     /// `directional`: of directional lights, too; `open`: those of open casters, too.
-    virtual void beginPrograms([[maybe_unused]] bool directional,
-                               [[maybe_unused]] bool open) {}
+    virtual void beginPrograms([[maybe_unused]] bool directional, [[maybe_unused]] bool open) {}
     /// Visits the programs made or begun so far that frames may take.
     virtual void forEachProgram(const gl::ProgramVisitor&) const {}
 

@@ -58,8 +58,7 @@ class VolumeRenderer {
 
     /// Begins to make, ahead of prepare(), programs that most closed casters take; `directional`:
     /// of directional lights, too; `open`: those of open casters, too.
-    virtual void beginPrograms([[maybe_unused]] bool directional,
-                               [[maybe_unused]] bool open) {}
+    virtual void beginPrograms([[maybe_unused]] bool directional, [[maybe_unused]] bool open) {}
     virtual void forEachProgram([[maybe_unused]] const gl::ProgramVisitor& visit) const {}
 
     /// The layout of the shadow data that it draws from.
