@@ -252,8 +252,13 @@ class ShadowMasks {
     void setClippings(Id id, std::span<const MaskClipping> clippings);
     void remove(Id id);
 
+    /// From now on prepareToDraw() also makes what such a mesh takes. Until it has, the mesh can
+    /// be held back, so that no draw() waits.
+    void expect(const PreparedMesh& mesh);
+    /// Whether prepareToDraw() has made what the expected meshes take beyond closed casters.
+    bool isPrepared() const;
     /// Begins to make the programs and textures that draw() takes in such a view of such lights
-    /// and closed casters.
+    /// and closed casters, and of expected ones. After a draw() it makes programs alone.
     /// Returns whether they are there; call it again until they are, so that no frame waits for the
     /// GL's compiler, where the GL has GL_KHR_parallel_shader_compile. draw() makes whatever is
     /// missing.

@@ -146,6 +146,9 @@ struct MaskDrawing {
     int width = 0, height = 0;
     std::size_t vertexRuns = 0;
     std::size_t unfinished = 0; ///< programs that the last prepare() left so
+    /// Whether open casters are expected, and whether prepare() has made what they take.
+    bool open = false, openPrepared = false;
+    bool hasDrawn = false;
 };
 
 void MaskDrawing::fit(int newWidth, int newHeight, std::size_t lights) {
@@ -164,7 +167,7 @@ void MaskDrawing::fit(int newWidth, int newHeight, std::size_t lights) {
 bool MaskDrawing::prepare(const MaskView& of, const std::vector<Light>& lights) {
     const bool orthographic =
         frustumOf(matrixOf(of.viewFromWorld), matrixOf(of.clipFromView)).orthographic;
-    renderer.beginMaskPrograms(lights, orthographic, of.nearness);
+    renderer.beginMaskPrograms(lights, orthographic, of.nearness, open);
     counter.beginPrograms();
     std::size_t begun = 0;
     bool completed = true;
@@ -185,6 +188,8 @@ bool MaskDrawing::prepare(const MaskView& of, const std::vector<Light>& lights) 
         worked += 1e3 * watch.lap();
     });
     if (unfinished > 0) return false;
+    openPrepared = open;
+    if (hasDrawn) return true; // the host may still show the last pictures
     fit(of.width, of.height, lights.size());
     counter.begin(of.width, of.height);
     if (of.nearness && !nearness) nearness.emplace(capabilities);
@@ -206,6 +211,7 @@ void MaskDrawing::draw(const MaskView& of, const std::vector<Light>& lights,
                          .height = of.height,
                          .lights = lights};
     request.lightSamples = of.lightSamples;
+    hasDrawn = true;
     casters.mergeResting();
     casters.upload();
     request.nearestDepths = false; // volumes are drawn from plane-pair records
@@ -405,6 +411,15 @@ void ShadowMasks::setClippings(Id id, std::span<const MaskClipping> clippings) {
 
 void ShadowMasks::remove(Id id) {
     impl_->drawing->casters.remove(id);
+}
+
+void ShadowMasks::expect(const PreparedMesh& mesh) {
+    const PlanePairShadow& shadow = *mesh.data()->shadow;
+    impl_->drawing->open = impl_->drawing->open || !shadow.singles.empty();
+}
+
+bool ShadowMasks::isPrepared() const {
+    return impl_->drawing->openPrepared || !impl_->drawing->open;
 }
 
 bool ShadowMasks::prepareToDraw(const MaskView& view, std::span<const MaskLight> lights) {

@@ -88,6 +88,36 @@ TEST(ShadowMasks, MadeAheadAreTheSame) {
     EXPECT_THROW(masks.prepareToDraw(viewOf(corner), many), std::runtime_error);
 }
 
+TEST(ShadowMasks, ProgramsOfExpectedMeshesAreMadeAhead) {
+    const Light light = spot();
+    const Scene block = SceneBuilder().box({-0.5f, 0.0f, -0.5f}, {0.5f, 0.5f, 0.5f}).scene();
+    const Scene sheet = SceneBuilder().floor(0.4f, 1.0f).scene();
+    std::vector<std::vector<std::uint8_t>> drawn;
+    for (const bool ahead : {false, true}) {
+        const gl::HeadlessContext context({hostWidth, hostHeight});
+        ShadowMasks masks(eglLookUp);
+        const MaskLight asked = hostLight(light);
+        const MaskView view = viewOf(corner);
+        const PreparedMesh closed(meshOf(geometryOf(block))), open(meshOf(geometryOf(sheet)));
+        masks.add(closed);
+        EXPECT_TRUE(masks.prepareToDraw(view, {&asked, 1}));
+        masks.draw(view, {&asked, 1});
+        const std::vector<std::uint8_t> before = readMask(masks, 0);
+        masks.expect(open);
+        EXPECT_FALSE(masks.isPrepared());
+        if (ahead) {
+            EXPECT_TRUE(masks.prepareToDraw(view, {&asked, 1}));
+            EXPECT_TRUE(masks.isPrepared());
+            EXPECT_EQ(readMask(masks, 0), before) << "the last pictures stay";
+        }
+        masks.add(open);
+        masks.draw(view, {&asked, 1});
+        drawn.push_back(readMask(masks, 0));
+        EXPECT_NE(drawn.back(), before) << "the sheet casts";
+    }
+    EXPECT_EQ(drawn[0], drawn[1]) << "a draw makes what is missing";
+}
+
 TEST(ShadowMasks, FollowWhatComesGoesMovesAndChanges) {
     const Light light = pointLight({0.3, 4, 0.7});
     const Expected alone(yard().scene(), light), withLeft(yardWith(left), light),

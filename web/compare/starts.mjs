@@ -1,6 +1,7 @@
 // How building models start in a page of three.js: tasks above 50 ms, and when all meshes have their
 // shadows, and when the light is looked up, with edgeshade, with three.js's own map, and without
-// shadows, in turns. Each run has a page of its own. Prints JSON. Needs build/web and `npm ci`.
+// shadows, in turns. Each run has a page of its own. Prints JSON. Needs build/web and `npm ci`. With
+// edgeshade it also tells edgeshade's own share of each task, and its longest step.
 //
 //   node compare/starts.mjs [--turns 3] [--opens] [--only edgeshade] [MODEL...]
 //
@@ -22,6 +23,8 @@ const models = ['/shared/hospital-electrical.glb', '3000', '/shared/city.draco.g
 async function measured({ name, method, opens }) {
   const { three, loaded, whiten, rendererOf, lampOf, ExactShadows, rested, frame, rendererName } = window.page;
   const { building, viewOf } = await import('/tests/building.js');
+  const { watchSteps } = await import('/tests/own-steps.js');
+  const { steps, follow } = watchSteps();
   const model = name.startsWith('/') ? await loaded(name) : building(Number(name));
   const renderer = rendererOf({ width: 320, height: 180 });
   renderer.shadowMap.enabled = method === 'map';
@@ -45,7 +48,7 @@ async function measured({ name, method, opens }) {
     object.material = box.material;
   });
   const isOurs = method === 'edgeshade';
-  const open = () => (isOurs ? new ExactShadows(renderer).add(scene) : { render: () => renderer.render(scene, camera) });
+  const open = () => (isOurs ? follow(new ExactShadows(renderer).add(scene)) : { render: () => renderer.render(scene, camera) });
   let shadows = null;
   if (!opens) {
     shadows = open();
@@ -72,9 +75,13 @@ async function measured({ name, method, opens }) {
   }
   await frame();
   tasks.push(...observer.takeRecords());
-  const own = tasks.filter(({ startTime, duration }) => startTime + duration > since);
-  return { renderer: rendererName(), meshes, frames, thereMs, lookedUpMs,
-    tasks: own.map(({ startTime, duration }) => ({ at: Math.round(startTime - since), ms: Math.round(duration) })) };
+  const later = tasks.filter(({ startTime, duration }) => startTime + duration > since);
+  const ownIn = (from, to) => steps.reduce((sum, { at, ms }) => sum + Math.max(0, Math.min(at + ms, to) - Math.max(at, from)), 0);
+  const longestSteps = steps.filter(({ at }) => at >= since).sort((a, b) => b.ms - a.ms).slice(0, 6)
+    .map(({ what, at, ms }) => `${what} ${Math.round(at - since)}: ${ms.toFixed(1)}`);
+  return { renderer: rendererName(), meshes, frames, thereMs, lookedUpMs, longestSteps,
+    tasks: later.map(({ startTime, duration }) => ({ at: Math.round(startTime - since), ms: Math.round(duration),
+      own: Math.round(ownIn(startTime, startTime + duration)) })) };
 }
 
 const { values: options, positionals } = parseArgs({ allowPositionals: true, options: {
@@ -94,7 +101,9 @@ try {
         await page.waitForFunction(() => window.page);
         const { tasks, ...others } = await page.evaluate(measured, { name, method, opens: options.opens });
         const durations = tasks.map(({ ms }) => ms);
-        runs.push({ model: name, method, load: loadavg()[0], ...others, above50: tasks.length, longest: Math.max(0, ...durations), tasks: tasks.map(({ at, ms }) => `${at}: ${ms}`).join(', ') });
+        runs.push({ model: name, method, load: loadavg()[0], ...others, above50: tasks.length, longest: Math.max(0, ...durations),
+          ownAbove50: tasks.filter(({ own }) => own > 50).length, longestOwn: Math.max(0, ...tasks.map(({ own }) => own)),
+          tasks: tasks.map(({ at, ms, own }) => `${at}: ${ms} (${own})`).join(', ') });
         await page.close();
       }
 } finally {

@@ -4,9 +4,17 @@
  * Copies bytes into the program's memory; returns [address, size]. Whoever receives these frees
  * them.
  */
-export function putBytes(program, bytes) {
-  const address = program._malloc(Math.max(bytes.byteLength, 1));
+export const putBytes = (program, bytes) => putParts(program, [bytes]);
+
+/** The same for bytes in several parts, which are joined. */
+export function putParts(program, parts) {
+  const size = parts.reduce((sum, { byteLength }) => sum + byteLength, 0);
+  const address = program._malloc(Math.max(size, 1));
   if (!address) throw new Error('This needs more memory than the browser allows a page.');
-  program.HEAPU8.set(bytes, address);
-  return [address, bytes.byteLength];
+  let to = address;
+  for (const part of parts) {
+    program.HEAPU8.set(part, to);
+    to += part.byteLength;
+  }
+  return [address, size];
 }

@@ -86,9 +86,13 @@ class PageMasks {
     int take(std::uintptr_t address, std::size_t size) {
         return numberOf([&] {
             const PageBytes bytes(address, size);
-            return meshFromTransfer(bytes.view());
+            PreparedMesh mesh = meshFromTransfer(bytes.view());
+            if (masks_) masks_->expect(mesh);
+            return mesh;
         });
     }
+    /// Whether prepareToDraw() has made what meshes that were taken over take.
+    bool isPrepared() const { return !masks_ || masks_->isPrepared(); }
     bool upload(int mesh) {
         return done([&] { masks().upload(meshes_.at(mesh)); });
     }
@@ -204,18 +208,26 @@ class PageMasks {
                       double highZ) {
         done([&] { masks().setReceivers({lowX, lowY, lowZ}, {highX, highY, highZ}); });
     }
-    /// The input for LookupMaker; empty on failure.
-    emscripten::val lookupTask(std::uintptr_t light, int size, double mostBytes, double restMs,
-                               bool cutouts, bool tints, std::size_t lightSamples) {
-        bytes_ = {};
-        done([&] {
+    /// Takes a snapshot as input for LookupMaker. Returns its number, which endLookupTask() gives
+    /// back.
+    int beginLookupTask(std::uintptr_t light, int size, double mostBytes, double restMs,
+                        bool cutouts, bool tints, std::size_t lightSamples) {
+        const bool made = done([&] {
             LookupSettings settings{size, static_cast<std::size_t>(mostBytes), restMs,
                                     lightSamples};
             settings.casters = {cutouts, tints};
-            bytes_ = taskToTransfer(masks().lookupWork(lightAt(at<double>(light)), settings));
+            tasks_.emplace(nextTask_,
+                           TaskTransfer(masks().lookupWork(lightAt(at<double>(light)), settings)));
         });
+        return made ? nextTask_++ : -1;
+    }
+    /// Its next bytes, up to `most`; none on failure, or if all were returned.
+    emscripten::val lookupTaskPart(int task, std::size_t most) {
+        bytes_ = {};
+        done([&] { bytes_ = tasks_.at(task).next(most); });
         return viewOf(bytes_);
     }
+    void endLookupTask(int task) { tasks_.erase(task); }
     /// Builds and uploads the map of cutouts and tinted meshes alone at once.
     int lookupCutouts(std::uintptr_t light, std::size_t mostTriangles) {
         int id = -1;
@@ -347,7 +359,8 @@ class PageMasks {
     std::optional<ShadowMasks> masks_;
     std::map<int, PreparedMesh> meshes_;
     std::map<int, std::shared_ptr<const MaskTexels>> texels_;
-    int nextMesh_ = 0, nextTexels_ = 0;
+    std::map<int, TaskTransfer> tasks_;
+    int nextMesh_ = 0, nextTexels_ = 0, nextTask_ = 0;
     std::string problem_;
     Bytes bytes_;
     std::vector<double> numbers_;
@@ -376,8 +389,11 @@ EMSCRIPTEN_BINDINGS(edgeshade_masks) {
         .function("remove", &PageMasks::remove)
         .function("draw", &PageMasks::draw)
         .function("prepareToDraw", &PageMasks::prepareToDraw)
+        .function("isPrepared", &PageMasks::isPrepared)
         .function("setReceivers", &PageMasks::setReceivers)
-        .function("lookupTask", &PageMasks::lookupTask)
+        .function("beginLookupTask", &PageMasks::beginLookupTask)
+        .function("lookupTaskPart", &PageMasks::lookupTaskPart)
+        .function("endLookupTask", &PageMasks::endLookupTask)
         .function("lookupCutouts", &PageMasks::lookupCutouts)
         .function("addLookup", &PageMasks::addLookup)
         .function("prepareUpload", &PageMasks::prepareUpload)

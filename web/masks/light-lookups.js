@@ -9,6 +9,11 @@ const idle = 10_000;
 
 const mostBytesAsked = 64 * 2 ** 20;
 
+/** Bytes of a snapshot's part, and milliseconds of parts in a step. */
+const partBytes = 2 ** 18, stepMilliseconds = 8;
+
+const nextTask = () => new Promise((resolve) => { setTimeout(resolve); });
+
 /** Bytes of a step's first piece, and of the smallest and the largest one; and milliseconds that a piece may take. */
 const firstPiece = 2 ** 20, smallestPiece = 2 ** 16, largestPiece = 2 ** 22, pieceMilliseconds = 8;
 
@@ -17,6 +22,7 @@ export class LightLookups {
   #texels = new Map(); // texels left to upload, by id: {texels, next}
   #piece = firstPiece;
   #sync = null; // after the last step's piece
+  #isDisposed = false;
   #engine; // {gl, program, masks, inContext, withLight, require, textureOf}
   #calls = new WorkerCalls(() => new Worker(new URL('./lookup-worker.js', import.meta.url), { type: 'module' }),
     'builds the maps of lights', idle);
@@ -28,15 +34,37 @@ export class LightLookups {
 
   async build(light, { size = 512, mostBytes = mostBytesAsked, restMs = 500, cutouts = false, tints = false, lightSamples = 64, signal } = {}) {
     const { program, masks, inContext, withLight, require } = this.#engine;
-    const task = withLight(light, (address) => masks.lookupTask(address, size, mostBytes, restMs, cutouts, tints, lightSamples)).slice();
-    require(task.length > 0);
-    const result = await this.#calls.ask({ module: this.#module, task }, { transfer: [task.buffer], signal });
+    const since = performance.now();
+    const number = withLight(light, (address) => masks.beginLookupTask(address, size, mostBytes, restMs, cutouts, tints, lightSamples));
+    require(number >= 0);
+    const task = await this.#taken(number, since, signal);
+    const result = task && await this.#calls.ask({ module: this.#module, task }, { transfer: task.map(({ buffer }) => buffer), signal });
     if (!result) return null;
     const [address, length] = putBytes(program, result.bytes);
     const id = inContext(() => masks.addLookup(address, length));
     require(id >= 0);
     this.#texels.set(id, { texels: result.texels, next: 0 });
     return id;
+  }
+
+  /** Copies a snapshot in steps; resolves with its parts, or null once `signal` cancels it. `since`: when this step began. */
+  async #taken(number, since, signal) {
+    const { masks, require } = this.#engine, parts = [];
+    try {
+      for (let until = since + stepMilliseconds; ; until = performance.now() + stepMilliseconds) {
+        do {
+          const part = masks.lookupTaskPart(number, partBytes).slice();
+          require(part.length > 0 || masks.lastProblem() === '');
+          if (part.length > 0) parts.push(part);
+          if (part.length < partBytes) return parts;
+        } while (performance.now() < until);
+        await nextTask();
+        if (this.#isDisposed) throw new Error('The shadows were disposed of.');
+        if (signal?.aborted) return null;
+      }
+    } finally {
+      if (!this.#isDisposed) masks.endLookupTask(number);
+    }
   }
 
   /** Builds and uploads a map of cutouts and tinted meshes alone within the call. */
@@ -116,6 +144,7 @@ export class LightLookups {
   }
 
   dispose() {
+    this.#isDisposed = true;
     this.#endSync();
     this.#calls.dispose();
   }

@@ -1,6 +1,6 @@
 // The worker that builds the maps of resting lights, one after another.
 
-import { putBytes } from '../element/memory.js';
+import { putParts } from '../element/memory.js';
 import { instantiate } from './runtime.js';
 
 /** Milliseconds of work between checks whether the task is still wanted. */
@@ -16,7 +16,7 @@ async function build({ number, module, task }) {
   ready ??= instantiate(module).then((program) => ({ program, maker: new program.LookupMaker() }));
   const { program, maker } = await ready;
   if (!asked.has(number)) return;
-  const problem = maker.begin(...putBytes(program, task));
+  const problem = maker.begin(...putParts(program, task));
   if (problem) throw new Error(problem);
   while (!maker.advance(slice)) {
     await messages();

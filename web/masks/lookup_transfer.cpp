@@ -2,6 +2,7 @@
 
 #include "web/mesh_archive.hpp"
 
+#include <algorithm>
 #include <map>
 
 namespace edgeshade::web {
@@ -35,9 +36,9 @@ constexpr std::size_t none = ~std::size_t{0};
 /// A caster's place, with indices of its shape, or of the mesh and the texels that cut it out.
 struct Place {
     std::size_t shape = none, mesh = none, texels = none;
+    std::size_t tints = 0; ///< 0 or 1, as wide as the others, so that no byte is undefined
     float opacity = 1.0f, cutoff = 0.5f;
     std::array<float, 9> texcoordTransform{};
-    bool tinted = false;
     std::array<float, 3> tint{};
     glm::dmat4 worldFromBatch{1.0};
 };
@@ -71,38 +72,58 @@ void readAll(Reader& reader, Take take) {
 
 } // namespace
 
-Bytes taskToTransfer(const LookupWork& work) {
-    const LookupWork::Data& data = *work.data();
+TaskTransfer::TaskTransfer(const LookupWork& work) : work_(work.data()) {
     Numbers numbers;
-    std::vector<const PlanePairShadow*> shapes;
-    std::vector<const PreparedMesh::Data*> meshes;
-    std::vector<const MaskTexels*> texels;
     std::vector<Place> places;
-    for (const LookupTask::Caster& caster : data.task.casters) {
+    for (const LookupTask::Caster& caster : work_->task.casters) {
         const auto& [mesh, alpha, tint] = caster.cutout;
-        places.push_back({numbers.of(caster.shadow, shapes), numbers.of(mesh, meshes),
-                          numbers.of(alpha.texels, texels), alpha.opacity, alpha.cutoff,
-                          alpha.texcoordTransform, tint.has_value(),
+        places.push_back({numbers.of(caster.shadow, shapes_), numbers.of(mesh, meshes_),
+                          numbers.of(alpha.texels, texels_), tint ? 1u : 0u, alpha.opacity,
+                          alpha.cutoff, alpha.texcoordTransform,
                           tint.value_or(std::array<float, 3>{}), caster.worldFromBatch});
     }
-    std::size_t size = 4096 + places.size() * sizeof(Place);
-    for (const PlanePairShadow* shape : shapes)
-        size += shape->caps.size() * sizeof(CapRecord) + sizeof size;
-    for (const MaskTexels* of : texels)
-        size += of->alpha.size() * sizeof(std::uint16_t) + 64;
+    Writer writer(own_);
+    transferStart(writer, *work_);
+    writer(places, shapes_.size());
+}
+
+bool TaskTransfer::begin() {
+    own_.clear();
+    shared_ = {};
+    begun_ = 0;
+    Writer writer(own_);
+    const std::size_t number = next_++;
+    const std::size_t meshes = shapes_.size(), texels = meshes + 1 + meshes_.size();
+    if (number < meshes) {
+        const std::vector<CapRecord>& caps = shapes_[number]->caps;
+        writer(caps.size());
+        shared_ = {reinterpret_cast<const std::uint8_t*>(caps.data()),
+                   caps.size() * sizeof(CapRecord)};
+    } else if (number == meshes) {
+        writer(meshes_.size());
+    } else if (number < texels) {
+        writer(*meshes_[number - meshes - 1]->geometry);
+    } else if (number == texels) {
+        writer(texels_.size());
+    } else if (number <= texels + texels_.size()) {
+        writer(*texels_[number - texels - 1]);
+    }
+    return !own_.empty();
+}
+
+Bytes TaskTransfer::next(std::size_t most) {
     Bytes bytes;
-    bytes.reserve(size);
-    Writer writer(bytes);
-    transferStart(writer, data);
-    writer(places, shapes.size());
-    for (const PlanePairShadow* shape : shapes)
-        writer(shape->caps);
-    writer(meshes.size());
-    for (const PreparedMesh::Data* mesh : meshes)
-        writer(*mesh->geometry);
-    writer(texels.size());
-    for (const MaskTexels* of : texels)
-        writer(*of);
+    bytes.reserve(most);
+    while (bytes.size() < most) {
+        const bool isOwn = begun_ < own_.size();
+        const std::span<const std::uint8_t> from =
+            isOwn ? std::span<const std::uint8_t>(own_) : shared_;
+        const std::size_t start = isOwn ? begun_ : begun_ - own_.size();
+        const auto part = from.subspan(start, std::min(most - bytes.size(), from.size() - start));
+        bytes.insert(bytes.end(), part.begin(), part.end());
+        begun_ += part.size();
+        if (begun_ == own_.size() + shared_.size() && !begin()) break;
+    }
     return bytes;
 }
 
@@ -137,7 +158,7 @@ LookupWork taskFromTransfer(std::span<const std::uint8_t> bytes) {
                         .texcoordTransform = place.texcoordTransform};
         if (place.texels != none) alpha.texels = texels[place.texels];
         caster.cutout = {meshes[place.mesh], std::move(alpha), {}};
-        if (place.tinted) caster.cutout.tint = place.tint;
+        if (place.tints > 0) caster.cutout.tint = place.tint;
     }
     return LookupWork(std::move(data));
 }

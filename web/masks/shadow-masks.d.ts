@@ -318,6 +318,12 @@ export class ShadowMasks {
    * whatever is missing.
    */
   prepareToDraw(view: MaskView, lights: MaskLight[]): boolean;
+
+  /**
+   * Whether prepareToDraw() has made what the meshes of prepare() and take() need. Until then masks of them would wait
+   * for the GL's compiler: call prepareToDraw() again before add().
+   */
+  readonly isPrepared: boolean;
   /**
    * The textures belong to the engine, and stay valid until the next draw(). `lookups`: for each
    * light the lookup that your shader samples as well, or null. Only the movers of such a light are

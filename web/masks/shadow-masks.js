@@ -210,8 +210,13 @@ export class ShadowMasks {
     this.#preparedFor = needs;
     const ready = this.#forDrawing(view, lights, [], (...numbers) => this.#masks.prepareToDraw(...numbers));
     this.#require(ready >= 0);
-    if (ready > 0) this.#allocatedFor = needs;
+    if (ready > 0) this.#allocatedFor ||= needs;
     return ready > 0;
+  }
+
+  /** Whether prepareToDraw() has made what the meshes that were prepared take: see the declaration. */
+  get isPrepared() {
+    return this.#masks.isPrepared();
   }
 
   /** Calls use(), of the engine, with the numbers of a view and its lights. */

@@ -163,7 +163,7 @@ test("programs of masks are taken over once the GPU's compiler and its draws are
       });
     }
     instead('getSyncParameter', (ask) => (draws ? gl.UNSIGNALED : ask()));
-    const shadows = new ExactShadows(renderer).add(scene);
+    const shadows = new ExactShadows(renderer, { lookups: 0 }).add(scene);
     const stages = [];
     const stage = async (frames) => {
       for (let i = 0; i < frames; ++i) {
@@ -188,8 +188,9 @@ test("programs of masks are taken over once the GPU's compiler and its draws are
   assert.ok(drawing.programs > 10 && !drawing.masks, 'all are begun at once, while pictures come without masks');
   assert.ok(compiling.looks > drawing.looks && !compiling.masks, `${compiling.looks} looks at their completion`);
   assert.ok(ready.masks && more.masks);
-  assert.deepEqual([compiling.early, ready.early], [0, 0], 'nothing is asked of a program before');
-  assert.equal(more.programs, drawing.programs, 'the first masks, and those of more meshes, compile no others');
+  assert.deepEqual([compiling.early, ready.early, more.early], [0, 0, 0], 'nothing is asked of a program before');
+  assert.equal(ready.programs, drawing.programs, 'the first masks compile no others');
+  assert.ok(more.programs <= drawing.programs + 3, 'open meshes take three more');
   assert.equal(told.error, 0);
   await shared.check(page, [/GPU stall due to ReadPixels/]);
 });
@@ -266,3 +267,139 @@ for (const release of releases)
     assert.deepEqual([told.ready - told.drawn, told.after - told.ready, told.error], [1, 0, 0]);
     await shared.check(page);
   });
+
+/** Makes the page's clock go on by this many milliseconds at each look at it. */
+const slowClock = (milliseconds) => {
+  let late = 0;
+  const { now } = Performance.prototype;
+  Performance.prototype.now = function () { return now.call(this) + (late += milliseconds); };
+};
+
+test("a map's casters are copied in steps, and stay those of the first one", async () => {
+  const page = await openThree(shared);
+  const told = await page.evaluate(async (slow) => {
+    const { three } = window.page;
+    const { ShadowMasks } = await import('/masks/shadow-masks.js');
+    const masks = await ShadowMasks.create(document.createElement('canvas').getContext('webgl2'));
+    const { index, attributes } = new three.TorusKnotGeometry(1, 0.4, 600, 80);
+    const knot = await masks.prepare({ positions: attributes.position.array, indices: index.array });
+    const { elements } = new three.Matrix4();
+    const [first] = [masks.add(knot, elements), masks.add(knot, elements)];
+    const light = { direction: [0.2, -1, 0.1] }, options = { restMs: 0 };
+    const likeness = (id) => {
+      const { bytes, longestList, begins } = masks.lookup(id);
+      return [bytes, longestList, ...begins];
+    };
+    const whole = likeness(await masks.buildLookup(light, options));
+    const parts = [], { postMessage } = Worker.prototype, { setTimeout: original } = window;
+    let steps = 1;
+    Worker.prototype.postMessage = function (message, ...given) {
+      if (message.task) parts.push(...message.task.map(({ byteLength }) => byteLength));
+      return postMessage.call(this, message, ...given);
+    };
+    window.setTimeout = (...given) => {
+      steps += parts.length === 0;
+      return original(...given);
+    };
+    (0, eval)(`(${slow})`)(5);
+    const cancelled = new AbortController(), none = masks.buildLookup(light, { ...options, signal: cancelled.signal });
+    cancelled.abort();
+    const stopped = await none === null && parts.length === 0;
+    steps = 1;
+    const building = masks.buildLookup(light, options);
+    masks.remove(first);
+    const id = await building, { holds } = masks.lookupState(id, light);
+    return { parts, steps, whole, meanwhile: likeness(id), holds, stopped };
+  }, slowClock.toString());
+  console.log(told);
+  assert.ok(told.parts.length > 8 && told.parts.every((bytes) => bytes <= 2 ** 18), `${told.parts}`);
+  assert.ok(told.steps >= told.parts.length / 3, `${told.steps} steps of ${told.parts.length} parts`);
+  assert.deepEqual(told.meanwhile, told.whole);
+  assert.ok(!told.holds && told.stopped);
+  await shared.check(page);
+});
+
+test('many new meshes are read in steps, and those that go meanwhile are gone', async () => {
+  const page = await openThree(shared);
+  const told = await page.evaluate(async (slow) => {
+    const { yard, ExactShadows, cameraOf, drawn, frame } = window.page;
+    const { building } = await import('/tests/building.js');
+    const { renderer, scene } = yard({ width: 80, height: 60 });
+    const camera = cameraOf({ from: [9, 8, 10], to: [0, 0.6, 0], fov: 50 }, 4 / 3);
+    const shadows = new ExactShadows(renderer, { lookups: 0 }).add(scene);
+    await drawn(shadows, scene, camera);
+    const model = building(1200), read = new Set(), steps = [];
+    for (const { geometry } of model.children) {
+      const { drawRange } = geometry;
+      Object.defineProperty(geometry, 'drawRange', { get: () => read.add(geometry) && drawRange });
+    }
+    scene.add(model);
+    (0, eval)(`(${slow})`)(0.1);
+    for (let before = 0; before < 1190 && steps.length < 100; before = read.size) {
+      shadows.beginMasks(scene, camera);
+      shadows.endMasks();
+      steps.push(read.size - before);
+      if (steps.length === 1) {
+        steps.pending = shadows.cost.pending;
+        model.remove(...model.children.slice(-10));
+      }
+      await frame();
+    }
+    shadows.render(scene, camera);
+    await shadows.ready();
+    return { steps: [...steps], first: steps.pending, pending: shadows.cost.pending };
+  }, slowClock.toString());
+  console.log(told);
+  assert.ok(Math.max(...told.steps) <= 400, `${told.steps} meshes in steps`);
+  assert.ok(told.steps.length > 1);
+  assert.deepEqual([told.first, told.pending], [1200, 0]);
+  await shared.check(page, [/GPU stall due to ReadPixels/]);
+});
+
+test('open meshes are added once the programs of their masks are there', async () => {
+  const page = await openThree(shared);
+  const told = await page.evaluate(async () => {
+    const { three, yard, ExactShadows, cameraOf, rested, frame } = window.page;
+    const { renderer, scene, ground } = yard({ width: 80, height: 60 });
+    const camera = cameraOf({ from: [9, 8, 10], to: [0, 0.6, 0], fov: 50 }, 4 / 3);
+    const shadows = new ExactShadows(renderer).add(scene);
+    await rested(shadows, scene, camera);
+    const { ShadowMasks } = await import('/masks/shadow-masks.js'), { draw } = ShadowMasks.prototype;
+    const gl = renderer.getContext(), { getProgramParameter } = gl;
+    let drawing = false, asked = 0, masked = 0;
+    ShadowMasks.prototype.draw = function (...given) {
+      drawing = true;
+      masked += 1;
+      try {
+        return draw.apply(this, given);
+      } finally {
+        drawing = false;
+      }
+    };
+    gl.getProgramParameter = (...given) => {
+      asked += drawing;
+      return getProgramParameter.apply(gl, given);
+    };
+    for (let i = 0; i < 400; ++i) {
+      const sheet = new three.Mesh(new three.PlaneGeometry(0.3, 0.3, 2, 2), ground.material);
+      sheet.position.set(0.4 * (i % 20) - 4, 1 + 0.05 * Math.floor(i / 20), 0.4 * Math.floor(i / 20) - 4);
+      sheet.rotation.x = -1;
+      sheet.castShadow = sheet.receiveShadow = true;
+      scene.add(sheet);
+    }
+    const had = [];
+    for (let i = 0; i < 2 || shadows.cost.pending > 0; ++i) {
+      await frame();
+      shadows.render(scene, camera);
+      had.push(shadows.cost.lookedUp);
+    }
+    for (let i = 0; i < 3; ++i) shadows.render(scene, camera);
+    const isLookedUp = await rested(shadows, scene, camera);
+    return { asked, masked, had, isLookedUp };
+  });
+  console.log(told);
+  assert.ok(told.masked > 0);
+  assert.equal(told.asked, 0, 'no masks wait for a program');
+  assert.ok(told.had.every((count) => count === 1), 'shadows stay meanwhile');
+  await shared.check(page, [/GPU stall due to ReadPixels/]);
+});

@@ -16,6 +16,9 @@ const fewTriangles = 500, mostMerged = 1024;
 /** New meshes of up to this many triangles in all are prepared within a frame, and within 60 frames. */
 const mostInFrame = 2000, mostInFrames = 16000;
 
+/** New meshes of a step that are followed whatever it takes, and milliseconds of a step that follows more. */
+const fewNew = 200, stepMilliseconds = 8;
+
 /** A plane that clips everything. */
 const nothingStays = [0, 0, 0, -1];
 
@@ -98,6 +101,9 @@ const otherwiseUnmasked = (casts) => `${casts ? 'casts no shadow, and ' : ''}rec
 /** Whether a map holds what has such a record: see castingOf(). */
 const isHeld = ({ changed, moves }, held) => changed < (moves ? held?.moved : held?.changed);
 
+/** A step that follows meshes: {fresh, unread: as Casters.#unread, count: of those followed, until}. */
+const stepOf = () => ({ fresh: [], unread: new Map(), count: 0, until: performance.now() + stepMilliseconds });
+
 export class Casters {
   #masks;
   #alphaTests;
@@ -109,6 +115,9 @@ export class Casters {
   #prepared = new Map(); // by key: {number or null while pending, users, origin of its positions, isFar: whether that isn't 0}
   #meshes = new Map();   // by part: the engine's record of it
   #pending = 0;          // records in the queue
+  #unread = new Map();   // by new part without a record yet: its whole mesh
+  #alphaTested = null;   // of the last follow()
+  #transparentCast = '';
   #round = 0;            // number of follow()'s calls
   #revision = 0;
   #atOnce = { since: 0, triangles: 0 }; // of new meshes that were prepared within frames
@@ -125,16 +134,16 @@ export class Casters {
   /**
    * `touched()` is called when the context's state has changed, `failed(sentence)` when a mesh can't
    * take part. `displacements`: Displacements, or null for none; `otherwise(casts)`: what becomes of meshes that the
-   * engine can't have, a verb with its object.
+   * engine can't have, a verb with its object; `isPrepared()` as in MeshQueue.
    */
-  constructor(masks, alphaTests, clippings, warnings, { displacements = null, touched, failed, otherwise = otherwiseUnmasked }) {
+  constructor(masks, alphaTests, clippings, warnings, { displacements = null, touched, failed, otherwise = otherwiseUnmasked, isPrepared = () => true }) {
     this.#masks = masks;
     this.#displacements = displacements;
     this.#otherwise = otherwise;
     this.#warnings = warnings;
     this.#touched = touched;
     this.#failed = failed;
-    this.#queue = new MeshQueue(masks, (sentence) => this.#report(sentence));
+    this.#queue = new MeshQueue(masks, (sentence) => this.#report(sentence), isPrepared);
     this.#alphaTests = alphaTests;
     this.#clippings = clippings;
     this.#parts = new MeshParts(clippings);
@@ -147,7 +156,7 @@ export class Casters {
 
   /** Number of meshes that the engine doesn't have yet as they are. */
   get pending() {
-    return this.#pending;
+    return this.#pending + this.#unread.size;
   }
 
   /**
@@ -164,6 +173,7 @@ export class Casters {
 
   #castingOfPart(part, held) {
     const had = this.#meshes.get(part);
+    if (!had && this.#unread.has(part)) return part.castShadow ? 1 : 0;
     if (!had?.casts && !had?.alphas[0]?.cutsOut) return 0;
     return isHeld(had, held) ? 2 : 1;
   }
@@ -227,35 +237,55 @@ export class Casters {
 
   /** Works for some milliseconds on pending meshes. */
   advance() {
-    if (this.#queue.advance()) this.#touched();
+    if (this.#unread.size) this.#readOn();
+    else if (this.#queue.advance()) this.#touched();
+  }
+
+  /** Goes on with the new meshes of the last follow(). */
+  #readOn() {
+    const step = stepOf();
+    for (const [part, mesh] of this.#unread) this.#followPart(part, mesh, step);
+    this.#end(step);
   }
 
   /** Makes the engine have exactly these meshes in their current state, except those that are
    * pending. `alphaTestedCast`, `transparentCast`: as in ExactShadows. */
   follow(meshes, alphaTestedCast, transparentCast) {
     requireTransparentCast(transparentCast);
-    const alphaTested = alphaTestedCasting(alphaTestedCast), fresh = [];
-    this.advance();
+    this.#alphaTested = alphaTestedCasting(alphaTestedCast);
+    this.#transparentCast = transparentCast;
+    if (!this.#unread.size) this.advance();
     this.#round += 1;
-    let count = 0;
     this.#cutsOut = this.#tints = this.#lacked = false;
-    const follow = (part, mesh) => {
-      const role = roleOf(part, alphaTested, transparentCast);
-      if (!role || this.#isLeftOut(part, role, mesh)) return;
-      count += 1;
-      this.#cutsOut ||= Boolean(role.cutsOut);
-      this.#tints ||= Boolean(role.tinting);
-      this.#followOne(part, role, mesh, fresh);
-      const { lacked, alphas, tints } = this.#meshes.get(part);
-      this.#lacked ||= lacked && Boolean(alphas[0]?.cutsOut || tints[0]);
-    };
+    const step = stepOf();
     for (const mesh of meshes) {
       const parts = this.#parts.of(mesh);
-      if (!parts) follow(mesh, mesh);
-      else for (const part of parts) follow(part, mesh);
+      if (!parts) this.#followPart(mesh, mesh, step);
+      else for (const part of parts) this.#followPart(part, mesh, step);
     }
-    if (count < this.#meshes.size) for (const [part, had] of this.#meshes) if (had.round !== this.#round) this.#drop(part);
-    this.#admit(fresh);
+    if (step.count < this.#meshes.size) for (const [part, had] of this.#meshes) if (had.round !== this.#round) this.#drop(part);
+    this.#end(step);
+  }
+
+  #followPart(part, mesh, step) {
+    if (step.fresh.length >= fewNew && !this.#meshes.has(part) && performance.now() > step.until) {
+      step.unread.set(part, mesh);
+      return;
+    }
+    const role = roleOf(part, this.#alphaTested, this.#transparentCast);
+    if (!role || this.#isLeftOut(part, role, mesh)) return;
+    step.count += 1;
+    this.#cutsOut ||= Boolean(role.cutsOut);
+    this.#tints ||= Boolean(role.tinting);
+    this.#followOne(part, role, mesh, step.fresh);
+    const { lacked, alphas, tints } = this.#meshes.get(part);
+    this.#lacked ||= lacked && Boolean(alphas[0]?.cutsOut || tints[0]);
+  }
+
+  #end({ fresh, unread }) {
+    const isPart = this.#unread.size + unread.size > 0;
+    this.#unread = unread;
+    this.#admit(fresh, isPart);
   }
 
   /** Whether masks can't show a mesh; warns once of what it lacks. */
@@ -324,13 +354,13 @@ export class Casters {
 
   /**
    * Prepares a few small meshes immediately, and others by and by. Small ones whose shape has changed
-   * don't wait, as it may change in each frame.
+   * don't wait, as it may change in each frame. `isPart`: there are more fresh ones.
    */
-  #admit(fresh) {
+  #admit(fresh, isPart) {
     let triangles = 0;
     for (const { mesh, had } of fresh) triangles += mayMerge(mesh, had) ? trianglesOf(mesh) : 0;
     if (this.#round - this.#atOnce.since >= 60) this.#atOnce = { since: this.#round, triangles: 0 };
-    const many = triangles > mostInFrame || this.#atOnce.triangles + triangles > mostInFrames;
+    const many = isPart || triangles > mostInFrame || this.#atOnce.triangles + triangles > mostInFrames;
     this.#atOnce.triangles += many ? 0 : triangles;
     for (const { mesh, role, had } of fresh) {
       const { entry } = had, merges = mayMerge(mesh, had);

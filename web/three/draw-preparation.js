@@ -11,6 +11,7 @@ export class DrawPreparation {
   #looks = 0;
   #isDone = false;
   #hasBegun = false;
+  #failed = false;
 
   /** `masks`: ShadowMasks; `gl`: their WebGL 2 context. */
   constructor(masks, gl) {
@@ -18,7 +19,13 @@ export class DrawPreparation {
     this.#gl = gl;
   }
 
+  /** Whether frames needn't wait for anything. */
   get isDone() {
+    return this.#failed || (this.#isDone && this.#masks.isPrepared);
+  }
+
+  /** Whether the first masks could be drawn, perhaps without meshes that were prepared later. */
+  get hasDone() {
     return this.#isDone;
   }
 
@@ -27,17 +34,20 @@ export class DrawPreparation {
    * ShadowMasks.prepareToDraw(). Returns whether all is there.
    */
   advance(view, lights) {
-    if (this.#isDone) return true;
+    if (this.isDone) return true;
     if (this.#hasBegun && this.#isBusy()) return false;
     this.#hasBegun = true;
     try {
-      this.#isDone = this.#masks.prepareToDraw(view, lights);
+      const isDone = this.#masks.prepareToDraw(view, lights);
+      this.#isDone ||= isDone;
     } catch {
-      this.#isDone = true; // draw() reports it
+      this.#isDone = this.#failed = true; // draw() reports it
     }
-    if (this.#isDone) this.#endSync();
-    else this.drawn();
-    return this.#isDone;
+    if (this.isDone) {
+      this.#endSync();
+      this.#looks = 0;
+    } else this.drawn();
+    return this.isDone;
   }
 
   /** Leaves all to the first masks, which wait. */
@@ -48,7 +58,7 @@ export class DrawPreparation {
 
   /** Called after each of the host's frames: nothing is taken over until the GPU has drawn it. */
   drawn() {
-    if (this.#isDone || !this.#hasBegun) return;
+    if (this.isDone || !this.#hasBegun) return;
     this.#endSync();
     this.#sync = this.#gl.fenceSync(this.#gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     this.#gl.flush();

@@ -137,7 +137,7 @@ export class ExactShadows extends EventTarget {
         this.#products = new TextureProducts(new ProductDrawing(renderer, masks, () => this.#resetRenderer()));
         this.#displacements = new Displacements(renderer, masks, () => this.#resetRenderer());
         this.#casters = new Casters(masks, new AlphaTests((texture) => uploadedIn(renderer, texture), this.#texels, this.#products), new Clippings(renderer), this.#warnings,
-          { displacements: this.#displacements, touched: () => this.#resetRenderer(), failed: (message) => this.#tell(message) });
+          { displacements: this.#displacements, touched: () => this.#resetRenderer(), failed: (message) => this.#tell(message), isPrepared: () => this.#prepare() });
         this.#views = new MaskViews(renderer, masks, this.#casters, (view, viewport) => this.#show(view, viewport));
         this.#resting = new RestingLights(masks, this.#mostLookedUp, () => this.#resetRenderer());
         this.#cutouts = new CutoutMaps(masks, () => this.#resetRenderer());
@@ -311,7 +311,8 @@ export class ExactShadows extends EventTarget {
     const { xr } = this.#renderer;
     const viewport = this.#viewportOf(target).clone();
     if (viewport.z < 1 || viewport.w < 1) return false;
-    if (!this.#prepare(viewport) || !this.#complete) return false;
+    const isPrepared = this.#prepare(viewport);
+    if (!(isPrepared || this.#preparation?.hasDone) || !this.#complete) return false;
     const maps = this.#followLights();
     this.#showTables(maps);
     const visible = (other) => {

@@ -13,6 +13,7 @@ const trianglesAtOnce = 16384;
 export class MeshQueue {
   #masks;
   #report;
+  #isPrepared;
   #waiting = [];
   #next = 0; // of those waiting
   #steps = [];
@@ -22,9 +23,13 @@ export class MeshQueue {
   #grows = false; // whether a mesh has come since the last advance()
   #calls = new Set();
 
-  /** `report(sentence)` is called for failures. */
-  constructor(masks, report) {
+  /**
+   * `report(sentence)` is called for failures; `isPrepared()`: whether draws of the meshes that were taken over wait
+   * for no programs; until then they aren't added.
+   */
+  constructor(masks, report, isPrepared) {
     this.#masks = masks;
+    this.#isPrepared = isPrepared;
     this.#report = report;
   }
 
@@ -62,7 +67,7 @@ export class MeshQueue {
   /** Lets meshes be added once all are ready, or others take long. */
   #release() {
     const isBusy = this.#batch || this.#waiting.length + this.#steps.length + this.#calls.size > 0;
-    if (isBusy && performance.now() - this.#heldSince < patience) return;
+    if (this.#held.length === 0 || (isBusy && performance.now() - this.#heldSince < patience) || !this.#isPrepared()) return;
     this.#steps.push(...this.#held.splice(0));
   }
 

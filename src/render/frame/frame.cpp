@@ -56,7 +56,8 @@ void Renderer::draw(GpuScene& scene, const FrameView& view, StageClock* clock,
     if (sum_.linear) linear_->show(framebuffer);
 }
 
-void Renderer::beginMaskPrograms(std::span<const Light> lights, bool orthographic, bool nearness) {
+void Renderer::beginMaskPrograms(std::span<const Light> lights, bool orthographic, bool nearness,
+                                 bool open) {
     bool directional = false;
     surfaces_.beginProgram(maskVariantOf({}));
     for (const Light& light : lights) {
@@ -65,7 +66,7 @@ void Renderer::beginMaskPrograms(std::span<const Light> lights, bool orthographi
     }
     if (nearness) surfaces_.beginProgram(nearnessVariant(orthographic));
     mark_.beginPrograms();
-    techniques_.forEach([&](ShadowTechnique& of) { of.beginPrograms(directional); });
+    techniques_.forEach([&](ShadowTechnique& of) { of.beginPrograms(directional, open); });
 }
 
 void Renderer::forEachProgram(const gl::ProgramVisitor& visit) const {

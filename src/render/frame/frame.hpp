@@ -73,9 +73,10 @@ class Renderer {
     /// slice's near plane.
     void drawNearness(const GpuScene& scene, const FrameView& view);
 
-    /// Begins to make the programs that lit masks of these lights take, of closed casters;
-    /// with `nearness`, also those of drawNearness().
-    void beginMaskPrograms(std::span<const Light> lights, bool orthographic, bool nearness);
+    /// Begins to make the programs that lit masks of these lights take, of closed
+    /// casters; with `open`, of open ones, too; with `nearness`, also those of drawNearness().
+    void beginMaskPrograms(std::span<const Light> lights, bool orthographic, bool nearness,
+                           bool open);
     void forEachProgram(const gl::ProgramVisitor& visit) const;
 
     /// The plan of the last frame, valid until the next one.

@@ -49,8 +49,8 @@ class ShadowTechnique {
     virtual void beginSlice() {}
 
     /// Begins to make, ahead of the first frame, programs that most closed casters take;
-    /// `directional`: of directional lights, too.
-    virtual void beginPrograms([[maybe_unused]] bool directional) {}
+    /// `directional`: of directional lights, too; `open`: those of open casters, too.
+    virtual void beginPrograms([[maybe_unused]] bool directional, [[maybe_unused]] bool open) {}
     /// Visits the programs made or begun so far that frames may take.
     virtual void forEachProgram(const gl::ProgramVisitor&) const {}
 

@@ -202,9 +202,13 @@ void PlanePairVolumes::makeProgram(const PlanePairCapsVariant& variant) {
     caps_.get(variant, [&] { return makePlanePairCapsProgram(variant, defines_); });
 }
 
-void PlanePairVolumes::beginPrograms(bool directional) {
-    makeProgram(PlanePairSidesVariant{.pair = true});
-    if (directional) makeProgram(PlanePairSidesVariant{.pair = true, .directional = true});
+void PlanePairVolumes::beginPrograms(bool directional, bool open) {
+    for (const bool pair : {true, false}) {
+        if (!pair && !open) continue;
+        makeProgram(PlanePairSidesVariant{.pair = pair});
+        if (directional) makeProgram(PlanePairSidesVariant{.pair = pair, .directional = true});
+    }
+    if (open) makeProgram(PlanePairCapsVariant{.culled = true});
 }
 
 void PlanePairVolumes::forEachProgram(const gl::ProgramVisitor& visit) const {

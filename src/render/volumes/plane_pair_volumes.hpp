@@ -52,7 +52,7 @@ class PlanePairVolumes : public VolumeRenderer {
     void prepare(const CountPlan& plan, GpuScene& scene,
                  const CasterGroupInSlice& casters) override;
     void draw(const VolumeDraw& draw, const DrawnBatch& batch) const override;
-    void beginPrograms(bool directional) override;
+    void beginPrograms(bool directional, bool open) override;
     void forEachProgram(const gl::ProgramVisitor& visit) const override;
     /// Makes the program of such a draw, if it is missing.
     void makeProgram(const VolumeDraw& draw);

@@ -57,8 +57,8 @@ class VolumeRenderer {
     virtual void draw(const VolumeDraw& draw, const DrawnBatch& batch) const = 0;
 
     /// Begins to make, ahead of prepare(), programs that most closed casters take; `directional`:
-    /// of directional lights, too.
-    virtual void beginPrograms([[maybe_unused]] bool directional) {}
+    /// of directional lights, too; `open`: those of open casters, too.
+    virtual void beginPrograms([[maybe_unused]] bool directional, [[maybe_unused]] bool open) {}
     virtual void forEachProgram([[maybe_unused]] const gl::ProgramVisitor& visit) const {}
 
     /// The layout of the shadow data that it draws from.

@@ -40,8 +40,8 @@ void VolumesTechnique::beginFrame(const FrameStart& start) {
     volumes_->beginFrame(start.scene);
 }
 
-void VolumesTechnique::beginPrograms(bool directional) {
-    volumes_->beginPrograms(directional);
+void VolumesTechnique::beginPrograms(bool directional, bool open) {
+    volumes_->beginPrograms(directional, open);
     if constexpr (marksGrazed)
         if (grazed_) grazed_->beginProgram();
 }

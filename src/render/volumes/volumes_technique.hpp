@@ -30,7 +30,7 @@ class VolumesTechnique : public ShadowTechnique {
     /// Opposite-vertex records and triangles also count where no surface is.
     bool marksEverywhere() const override;
 
-    void beginPrograms(bool directional) override;
+    void beginPrograms(bool directional, bool open) override;
     void forEachProgram(const gl::ProgramVisitor& visit) const override;
 
     const VolumeRenderer& renderer() const { return *volumes_; }
