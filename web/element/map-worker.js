@@ -1,5 +1,6 @@
 // The worker that builds primitive maps of one scene, one at a time.
 
+import { turns } from './event-loop.js';
 import { putBytes } from './memory.js';
 import { instantiate } from './runtime.js';
 
@@ -11,7 +12,7 @@ let take = null;
 const ready = new Promise((resolve) => { take = resolve; });
 let wanted = 0; // the ticket of the current task, 0: none
 
-const messages = () => new Promise((resolve) => setTimeout(resolve));
+const messages = turns();
 
 async function prepare({ module, scene }) {
   const [program, bytes] = await Promise.all([instantiate(module), scene.arrayBuffer()]);

@@ -1,5 +1,6 @@
 // The worker that builds the maps of resting lights, one after another.
 
+import { turns } from '../element/event-loop.js';
 import { putParts } from '../element/memory.js';
 import { instantiate } from './runtime.js';
 
@@ -10,7 +11,7 @@ let ready = null; // a promise of {program, maker}
 let last = Promise.resolve();
 const asked = new Set(); // numbers
 
-const messages = () => new Promise((resolve) => { setTimeout(resolve); });
+const messages = turns();
 
 async function build({ number, module, task }) {
   ready ??= instantiate(module).then((program) => ({ program, maker: new program.LookupMaker() }));
