@@ -25,7 +25,7 @@ export class DrawPreparation {
   }
 
   /** Whether the first masks could be drawn, perhaps without meshes that were prepared later. */
-  get hasDone() {
+  get canDraw() {
     return this.#isDone;
   }
 
@@ -38,8 +38,7 @@ export class DrawPreparation {
     if (this.#hasBegun && this.#isBusy()) return false;
     this.#hasBegun = true;
     try {
-      const isDone = this.#masks.prepareToDraw(view, lights);
-      this.#isDone ||= isDone;
+      this.#isDone = this.#masks.prepareToDraw(view, lights) || this.#isDone;
     } catch {
       this.#isDone = this.#failed = true; // draw() reports it
     }

@@ -311,8 +311,8 @@ export class ExactShadows extends EventTarget {
     const { xr } = this.#renderer;
     const viewport = this.#viewportOf(target).clone();
     if (viewport.z < 1 || viewport.w < 1) return false;
-    const isPrepared = this.#prepare(viewport);
-    if (!(isPrepared || this.#preparation?.hasDone) || !this.#complete) return false;
+    const canDraw = this.#prepare(viewport) || this.#preparation.canDraw;
+    if (!canDraw || !this.#complete) return false;
     const maps = this.#followLights();
     this.#showTables(maps);
     const visible = (other) => {
