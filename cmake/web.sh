@@ -5,7 +5,9 @@ source cmake/sources.sh
 
 web_packages=(emscripten cmake ninja-build dpkg-dev libglm-dev libtinygltf-dev libstb-dev
     nlohmann-json3-dev libboost-dev)
-web_test_packages=(chromium fonts-dejavu-core)
+# Chromium's engine alone, where the system has it.
+headless=$(apt-cache show chromium-headless-shell >/dev/null 2>&1 && echo -headless-shell || true)
+web_test_packages=("chromium$headless" fonts-dejavu-core)
 
 # build_web: builds the viewer for browsers into build/web.
 build_web() {

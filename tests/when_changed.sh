@@ -23,7 +23,9 @@ digest() {
         sha256sum <"$program"
         find ../shared/scenes -type f -printf '%p %s %T@\n' 2>/dev/null | sort
         node --version
-        "${EDGESHADE_CHROMIUM:-chromium}" --version
+        for browser in "${EDGESHADE_CHROMIUM:-chromium-headless-shell}" chromium; do
+            "$browser" --version || true
+        done
         env | grep -E '^(EDGESHADE|MESA|LIBGL|GALLIUM)_' | grep -v '^EDGESHADE_TEST_ALL=' | sort
         echo "$*"
     } 2>&1 | sha256sum

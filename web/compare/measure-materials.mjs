@@ -50,7 +50,7 @@ const head = '| five spheres each | environment off | of a lamp reflected once |
 const tableRow = ({ name, off, on }) => `| ${name} | ${[off.whole, off.once, on.whole, on.once].map(({ mean }) => mean.toFixed(1)).join(' | ')} |`;
 
 const server = await serve();
-const browser = await launchChromium({ angle: 'gl-egl' });
+const browser = await launchChromium({ angle: 'gl-egl', composites: true });
 const rows = [];
 try {
   const tab = await browser.newPage();

@@ -119,7 +119,7 @@ if (options.only === 'tables') {
 } else if (options.serve) {
   console.log(`Open ${server.address}/compare/ in a browser; Ctrl-C ends it.`);
 } else {
-  const browser = await launchChromium({ angle: options.angle });
+  const browser = await launchChromium({ angle: options.angle, composites: true });
   try {
     const tab = await browser.newPage({ viewport: { width: 1280, height: 720 } });
     tab.setDefaultTimeout(3600000);

@@ -90,7 +90,7 @@ const { values: options, positionals } = parseArgs({ allowPositionals: true, opt
   only: { type: 'string' },
 } });
 const methods = options.only ? [options.only] : ['edgeshade', 'map', 'none'];
-const server = await serve(), browser = await launchChromium();
+const server = await serve(), browser = await launchChromium({ composites: true });
 const runs = [];
 try {
   for (let turn = 0; turn < Number(options.turns); ++turn)

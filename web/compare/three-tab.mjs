@@ -17,7 +17,7 @@ export async function measureInThree(measured) {
   } });
   const [width, height] = options.size.split('x').map(Number);
   const server = await serve();
-  const browser = await launchChromium({ angle: options.angle });
+  const browser = await launchChromium({ angle: options.angle, composites: true });
   try {
     const page = await browser.newPage();
     await page.goto(`${server.address}/tests/three.html?three=three`);

@@ -7,7 +7,7 @@ import { serve } from '../tests/support/server.mjs';
 /** Calls use() with a tab that has a loaded <edgeshade-viewer>, on SwiftShader. */
 export async function withViewerTab(use) {
   const server = await serve();
-  const browser = await launchChromium({ angle: 'swiftshader' });
+  const browser = await launchChromium({ composites: true });
   try {
     const tab = await browser.newPage({ viewport: { width: 960, height: 540 } });
     await tab.goto(`${server.address}/tests/plain.html`);

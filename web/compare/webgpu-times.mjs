@@ -51,7 +51,7 @@ async function measured(page, { frames, wide }) {
 
 const { values: { frames } } = parseArgs({ options: { frames: { type: 'string', default: '8' } } });
 const wide = { width: 640, height: 360 };
-const server = await serve(), browser = await launchChromium({ webGpu: true });
+const server = await serve(), browser = await launchChromium({ webGpu: true, composites: true });
 try {
   const page = await browser.newPage({ viewport: wide });
   await page.goto(`${server.address}/tests/three-webgpu.html`);

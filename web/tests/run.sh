@@ -14,7 +14,7 @@ skip() {
 [[ -e ../build/web/wasm/edgeshade.wasm ]] || skip "build/web is not built; './run web --build-only' does that."
 command -v node >/dev/null || skip "there is no Node.js."
 [[ -d node_modules/playwright-core ]] || skip "playwright-core is not installed; 'npm ci' in web/ does that."
-[[ -x ${EDGESHADE_CHROMIUM:-/usr/bin/chromium} ]] || skip "there is no Chromium."
+command -v "${EDGESHADE_CHROMIUM:-chromium-headless-shell}" chromium >/dev/null || skip "there is no Chromium."
 shift
 (($#)) || set -- tests/*.test.mjs
 

@@ -33,7 +33,7 @@ async function onDemand(act, options = {}) {
     };
     return (0, eval)(`(${text})`)({ ...world, three, camera, shadows, draw, settled, frames, building });
   }, [act.toString(), options]);
-  await shared.check(page, [/GPU stall due to ReadPixels/]);
+  await shared.check(page);
   return told;
 }
 
