@@ -56,8 +56,9 @@ export class WorkerCalls {
 
   #settle(number, by) {
     const waiting = this.#waiting.get(number);
+    if (!waiting) return; // cancelled before
     this.#waiting.delete(number);
-    if (waiting) by(waiting);
+    by(waiting);
     if (this.#waiting.size === 0 && this.#idleMilliseconds < Infinity)
       this.#idle = setTimeout(() => this.#end(), this.#idleMilliseconds);
   }
