@@ -26,9 +26,33 @@ struct CasterReach {
 struct SeenCasters {
     std::vector<ChainEdge> pairs, singles;
     std::vector<std::uint32_t> uncertain; ///< casting caps with facing 0
-    // Scratch.
-    std::vector<const ShadowCluster*> clusters{}; ///< within reach
-    std::vector<std::int8_t> signedFacings{};     ///< their facings, by PlaneOf::bits
+};
+
+/// Runs of up to 32 neighbouring records of one cluster, and the caps that give them their planes.
+struct RecordRuns {
+    struct Run {
+        RecordRange records;
+        RecordRange capRuns; ///< in `capRuns`
+    };
+    std::vector<Run> runs;
+    std::vector<std::uint32_t> capRuns; ///< runs of FollowedFacings
+    std::vector<RecordRange> ofCluster; ///< in `runs`
+};
+
+/// The edges of record runs in the chain of a light on its way.
+struct FollowedEdges {
+    std::vector<ChainEdge> edges;       ///< in places of their records; the first `count` of each run
+    std::vector<std::uint8_t> count;    ///< by run
+    std::vector<std::uint32_t> foundAt; ///< by run: as of FollowedFacings::look
+};
+
+/// What CasterChain keeps of a light on its way through a batch's space.
+struct FollowedChain {
+    FollowedCasters casters;
+    FollowedEdges pairs, singles;
+
+    /// Facings, one per cap (CasterFacings).
+    const std::vector<std::int8_t>& facings() const { return casters.facings.facings; }
 };
 
 /// The boundary of a batch's triangles, each signed by the side from which a light sees it.
@@ -37,9 +61,10 @@ class CasterChain {
     /// Linear in the caps. `shadow` must outlive this.
     explicit CasterChain(const PlanePairShadow& shadow);
 
-    /// Fills in `facings`, one per cap (CasterFacings), and `seen`, and reuses their memory.
-    void look(const LightInBatch& light, const CasterReach& reach,
-              std::vector<std::int8_t>& facings, SeenCasters& seen) const;
+    /// Looks from the next place of a light on its way. Appends to no list of `seen`, but fills it
+    /// anew and reuses its memory. `followed`: new, or of this chain's last look.
+    void look(const LightInBatch& light, const CasterReach& reach, FollowedChain& followed,
+              SeenCasters& seen) const;
 
     /// All caps within reach that a ray from a point light may meet, and neighbours of these.
     /// `direction`: in the batch's space.
@@ -55,6 +80,7 @@ class CasterChain {
   private:
     const PlanePairShadow* shadow_;
     CasterFacings facings_;
+    RecordRuns pairs_, singles_;
     Box bounds_;
 };
 
