@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <span>
 
 namespace edgeshade {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 /// Room around boxes for rays in double, as a share of the coordinates.
 constexpr double rayRoom = 1e-6;
 
-constexpr std::uint32_t recordsPerRun = 32;
+constexpr std::uint32_t recordsPerRun = 32; // at most 255
 
 /// A plane's facing.
 int facingOf(const std::int8_t* facings, PlaneOf plane) {
@@ -30,31 +31,39 @@ int weightOf(const std::int8_t* facings, PlaneOf plane) {
     return facingOf(facings, plane);
 }
 
-void addPlanes(const std::array<PlaneOf, 2>& planes, std::vector<std::uint32_t>& capRuns) {
-    for (const PlaneOf plane : planes)
-        capRuns.push_back(static_cast<std::uint32_t>(plane.cap() / FollowedFacings::run));
+std::span<const PlaneOf> planesOf(const std::array<PlaneOf, 2>& planes) {
+    return planes;
 }
-void addPlanes(PlaneOf plane, std::vector<std::uint32_t>& capRuns) {
-    capRuns.push_back(static_cast<std::uint32_t>(plane.cap() / FollowedFacings::run));
+std::span<const PlaneOf> planesOf(const PlaneOf& plane) {
+    return {&plane, 1};
 }
 
-/// Divides a cluster's records into runs. `planes`: of all records.
+/// Divides the records of one kind into runs. `planes`: of all records.
 template <class Planes>
-void addCluster(const RecordRange& records, const std::vector<Planes>& planes, RecordRuns& all) {
-    const auto first = static_cast<std::uint32_t>(all.runs.size());
-    for (std::uint32_t at = records.first; at < records.end(); at += recordsPerRun) {
-        const RecordRange of{at, std::min(recordsPerRun, records.end() - at)};
-        const auto begin = static_cast<std::ptrdiff_t>(all.capRuns.size());
-        for (std::uint32_t i = of.first; i < of.end(); ++i)
-            addPlanes(planes[i], all.capRuns);
-        std::sort(all.capRuns.begin() + begin, all.capRuns.end());
-        all.capRuns.erase(std::unique(all.capRuns.begin() + begin, all.capRuns.end()),
-                          all.capRuns.end());
-        all.runs.push_back({of,
-                            {static_cast<std::uint32_t>(begin),
-                             static_cast<std::uint32_t>(all.capRuns.size() - begin)}});
+RecordRuns runsOf(const PlanePairShadow& shadow, RecordRange ShadowCluster::* records,
+                  const std::vector<Planes>& planes) {
+    RecordRuns all;
+    // By run of caps: one more than the last run of records that has it.
+    std::vector<std::size_t> lastRun(shadow.caps.size() / FollowedFacings::run + 1, 0);
+    for (const ShadowCluster& cluster : shadow.clusters) {
+        const RecordRange& of = cluster.*records;
+        const auto first = static_cast<std::uint32_t>(all.runs.size());
+        for (std::uint32_t at = of.first; at < of.end(); at += recordsPerRun) {
+            RecordRuns::Run run{{at, std::min(recordsPerRun, of.end() - at)},
+                                {static_cast<std::uint32_t>(all.capRuns.size()), 0}};
+            for (std::uint32_t i = at; i < run.records.end(); ++i)
+                for (const PlaneOf plane : planesOf(planes[i])) {
+                    const std::size_t capRun = plane.cap() / FollowedFacings::run;
+                    if (lastRun[capRun] == all.runs.size() + 1) continue;
+                    lastRun[capRun] = all.runs.size() + 1;
+                    all.capRuns.push_back(static_cast<std::uint32_t>(capRun));
+                }
+            run.capRuns.count = static_cast<std::uint32_t>(all.capRuns.size()) - run.capRuns.first;
+            all.runs.push_back(run);
+        }
+        all.ofCluster.push_back({first, static_cast<std::uint32_t>(all.runs.size()) - first});
     }
-    all.ofCluster.push_back({first, static_cast<std::uint32_t>(all.runs.size() - first)});
+    return all;
 }
 
 /// Finds the chain's edges among the records of one kind, run by run.
@@ -76,6 +85,7 @@ class EdgeSearch {
         for (std::uint32_t run = runs.first; run < runs.end(); ++run) {
             const RecordRuns::Run& of = runs_.runs[run];
             if (mayHaveChanged(of, followed_.foundAt[run])) find(run);
+            if (followed_.count[run] == 0) continue; // most of them
             const ChainEdge* const first = followed_.edges.data() + of.records.first;
             seen_.insert(seen_.end(), first, first + followed_.count[run]);
         }
@@ -153,14 +163,13 @@ bool CasterReach::mayHold(const Box& box, const LightInBatch& light) const {
                         [&](const glm::dvec4& plane) { return isOutside(box, plane); });
 }
 
-CasterChain::CasterChain(const PlanePairShadow& shadow) : shadow_(&shadow), facings_(shadow) {
+CasterChain::CasterChain(const PlanePairShadow& shadow)
+    : shadow_(&shadow), facings_(shadow),
+      pairs_(runsOf(shadow, &ShadowCluster::pairs, shadow.pairPlanes)),
+      singles_(runsOf(shadow, &ShadowCluster::singles, shadow.singlePlanes)) {
     for (const ShadowCluster& cluster : shadow.clusters)
         for (const glm::dvec3& corner : {cluster.bounds.low, cluster.bounds.high})
             bounds_.add(corner);
-    for (const ShadowCluster& cluster : shadow.clusters) {
-        addCluster(cluster.pairs, shadow.pairPlanes, pairs_);
-        addCluster(cluster.singles, shadow.singlePlanes, singles_);
-    }
 }
 
 void CasterChain::look(const LightInBatch& light, const CasterReach& reach, FollowedChain& followed,

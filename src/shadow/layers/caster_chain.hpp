@@ -28,22 +28,22 @@ struct SeenCasters {
     std::vector<std::uint32_t> uncertain; ///< casting caps with facing 0
 };
 
-/// Runs of up to 32 neighbouring records of one cluster, and the caps that give them their planes.
+/// The records of one kind in runs of neighbours, and the caps that their planes come from.
 struct RecordRuns {
     struct Run {
         RecordRange records;
-        RecordRange capRuns; ///< in `capRuns`
+        RecordRange capRuns; ///< in RecordRuns::capRuns, each once
     };
-    std::vector<Run> runs;
-    std::vector<std::uint32_t> capRuns; ///< runs of FollowedFacings
+    std::vector<Run> runs;              ///< each within a cluster
+    std::vector<std::uint32_t> capRuns; ///< indices of FollowedFacings' runs
     std::vector<RecordRange> ofCluster; ///< in `runs`
 };
 
 /// The edges of record runs in the chain of a light on its way.
 struct FollowedEdges {
-    std::vector<ChainEdge> edges;       ///< in places of their records; the first `count` of each run
-    std::vector<std::uint8_t> count;    ///< by run
-    std::vector<std::uint32_t> foundAt; ///< by run: as of FollowedFacings::look
+    std::vector<ChainEdge> edges;       ///< a place per record; a run's edges are in its first ones
+    std::vector<std::uint8_t> count;    ///< by run: number of its edges
+    std::vector<std::uint32_t> foundAt; ///< by run: FollowedFacings::look that found them
 };
 
 /// What CasterChain keeps of a light on its way through a batch's space.
@@ -61,8 +61,8 @@ class CasterChain {
     /// Linear in the caps. `shadow` must outlive this.
     explicit CasterChain(const PlanePairShadow& shadow);
 
-    /// Looks from the next place of a light on its way. Appends to no list of `seen`, but fills it
-    /// anew and reuses its memory. `followed`: new, or of this chain's last look.
+    /// Fills in `seen` for the next place of a light on its way, and reuses its memory. Looks anew
+    /// only at runs whose facings changed. `followed`: new, or of this chain's last look.
     void look(const LightInBatch& light, const CasterReach& reach, FollowedChain& followed,
               SeenCasters& seen) const;
 
