@@ -321,7 +321,7 @@ TEST(LayerSearch, SheetsTakenForFlatCountAsTheyAre) {
     EXPECT_GE(shown, 20);
 }
 
-/// Searches along the ways of some lights, and from each place anew.
+/// Searches along the ways of some lights, and for each place by a search of its own.
 void expectSameOnTheWay(const LayerCasters& casters, Scene& scene, Random& random) {
     LayerSearch search;
     Light light = test::sun({0.3, 1, 0.2});
@@ -334,8 +334,8 @@ void expectSameOnTheWay(const LayerCasters& casters, Scene& scene, Random& rando
             light = test::pointLight(20.0 * random.inCube());
             break;
         case 2:
-            scene.batches[0].worldFromBatch = glm::rotate(
-                scene.batches[0].worldFromBatch, random.magnitude(-5, 0), random.inCube());
+            scene.batches[0].worldFromBatch = glm::rotate(scene.batches[0].worldFromBatch,
+                                                          random.magnitude(-5, 0), random.inCube());
             break;
         case 3:
             scene.batches[1].hidden = !scene.batches[1].hidden;

@@ -27,14 +27,15 @@ glm::vec4 besidePlane(const PlanePairShadow& shadow, const LightBall& ball, int 
     const glm::dvec4 plane(shadow.caps[static_cast<std::size_t>(random.below(caps))].plane);
     const glm::dvec4 light(ball.center), terms = glm::abs(plane * light);
     const double share = dotRounding(mantissaBits);
-    const double bound = ball.reach * (1.0 + 2.0 * share) +
-                         share * (terms.x + terms.y + terms.z + terms.w);
+    const double bound =
+        ball.reach * (1.0 + 2.0 * share) + share * (terms.x + terms.y + terms.z + terms.w);
     const double side = (random.below(2) ? 1.0 : -1.0) * bound * random.uniform(0.0, 4.0);
     return {glm::vec3(glm::dvec3(light) - (glm::dot(plane, light) - side) * glm::dvec3(plane)),
             ball.center.w};
 }
 
-/// The next place of a light: as it was, a step of any length farther, beside a plane, or elsewhere.
+/// The next place of a light: as it was, a step of any length farther, beside a plane, or
+/// elsewhere.
 glm::vec4 nextPlace(const PlanePairShadow& shadow, const LightBall& ball, int mantissaBits,
                     Random& random) {
     switch (random.below(20)) {
@@ -47,12 +48,11 @@ glm::vec4 nextPlace(const PlanePairShadow& shadow, const LightBall& ball, int ma
     case 4:
         return besidePlane(shadow, ball, mantissaBits, random);
     default:
-        return ball.center +
-               glm::vec4(glm::vec3(random.inCube() * random.magnitude(-7, -1)), 0.0f);
+        return ball.center + glm::vec4(glm::vec3(random.inCube() * random.magnitude(-7, -1)), 0.0f);
     }
 }
 
-/// What looks along a way did in all runs.
+/// Counts what looks along a way do, run by run.
 struct Looks {
     std::size_t runs = 0, skipped = 0, changed = 0;
 

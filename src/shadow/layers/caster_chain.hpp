@@ -46,7 +46,7 @@ struct FollowedEdges {
     std::vector<std::uint32_t> foundAt; ///< by run: FollowedFacings::look that found them
 };
 
-/// What CasterChain keeps of a light on its way through a batch's space.
+/// Keeps what CasterChain finds for a light on its way through a batch's space.
 struct FollowedChain {
     FollowedCasters casters;
     FollowedEdges pairs, singles;
@@ -61,7 +61,7 @@ class CasterChain {
     /// Linear in the caps. `shadow` must outlive this.
     explicit CasterChain(const PlanePairShadow& shadow);
 
-    /// Fills in `seen` for the next place of a light on its way, and reuses its memory. Looks anew
+    /// Fills in `seen` for the next place of a light on its way, and reuses its memory. Looks
     /// only at runs whose facings changed. `followed`: new, or of this chain's last look.
     void look(const LightInBatch& light, const CasterReach& reach, FollowedChain& followed,
               SeenCasters& seen) const;

@@ -11,7 +11,7 @@ struct PlaneError {
     double offset = 0.0; ///< the distance of the triangle from the plane
 };
 
-/// What CasterFacings keeps of a light on its way through a batch's space.
+/// Keeps what CasterFacings finds for a light on its way through a batch's space.
 struct FollowedCasters {
     FollowedFacings facings;               ///< of the triangles
     std::vector<std::int8_t> loosePlanes{}; ///< facings of planes that are off their triangles

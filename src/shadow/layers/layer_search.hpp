@@ -35,7 +35,7 @@ class LayerSearch {
         std::weak_ptr<const PlanePairShadow> records;
         CasterChain chain;
     };
-    /// Of the last light, as it went.
+    /// Keeps what the last light found on its way.
     struct Followed {
         const CasterChain* chain = nullptr; ///< in chains_
         FollowedChain of{};

@@ -31,8 +31,8 @@ struct FollowedFacings {
 
     std::vector<std::int8_t> facings;     ///< as of LightFacings::find()
     std::vector<double> holdsUntil;       ///< by run: its facings hold while `way` is less
-    std::vector<std::uint32_t> foundAt;   ///< by run: the last look that found them anew
-    std::vector<std::uint32_t> changedAt; ///< by run: the last look that found others than before
+    std::vector<std::uint32_t> foundAt;   ///< by run: the last look that tested it
+    std::vector<std::uint32_t> changedAt; ///< by run: the last look that found other facings
     double way = 0.0;                     ///< at least the length of the light's way up to here
     float margin = 0.0f;                  ///< of the last look
     glm::vec4 light{0.0f};                ///< of the last look
