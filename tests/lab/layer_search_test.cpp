@@ -321,6 +321,30 @@ TEST(LayerSearch, SheetsTakenForFlatCountAsTheyAre) {
     EXPECT_GE(shown, 20);
 }
 
+// A sun sinks to the horizon of a sheet with bumps. No plane is within rounding of it.
+TEST(LayerSearch, SheetsTakenForFlatTellWhenTheyTurnUncertain) {
+    const auto records = buildPlanePairs(sceneOf(test::hillyGrid(200)), false, 40.0);
+    const CasterFacings facings(*records[0]);
+    FollowedCasters followed;
+    int turned = 0;
+    for (int place = 0; place < 400; ++place) {
+        const double height = 1.0 - 0.003 * place;
+        const LightInBatch light = lightInBatch(test::sun({0.8, height, 0.5}), glm::dmat4(1.0));
+        const std::vector<std::int8_t> before = followed.facings.facings;
+        facings.follow(light, followed);
+        FollowedCasters alone;
+        facings.follow(light, alone);
+        EXPECT_EQ(followed.facings.facings, alone.facings.facings) << place;
+        for (std::size_t cap = 0; cap < before.size(); ++cap) {
+            if (followed.facings.facings[cap] == before[cap]) continue;
+            ++turned;
+            EXPECT_EQ(followed.facings.changedAt[cap / FollowedFacings::run], followed.facings.look)
+                << place;
+        }
+    }
+    EXPECT_GT(turned, 100);
+}
+
 /// Searches along the ways of some lights, and for each place by a search of its own.
 void expectSameOnTheWay(const LayerCasters& casters, Scene& scene, Random& random) {
     LayerSearch search;

@@ -569,7 +569,7 @@ MUTANTS = (
     ("triangles off their planes that turn uncertain leave silhouettes as they were",
      "src/shadow/layers/caster_facings.cpp",
      "if (facing != certain) all.changedAt[run] = all.look;", "",
-     "layer_bound_test", "LayerSearch.OnALightsWay*"),
+     "layer_bound_test", "LayerSearch.SheetsTakenForFlat*"),
     ("triangles off their planes stay uncertain",
      "src/shadow/layers/caster_facings.cpp",
      "followed.loosePlanes[i] : std::int8_t{0};", "facing : std::int8_t{0};",

@@ -117,6 +117,8 @@ TEST(FollowedFacings, AreFoundAnewAfterALightThatIsNoNumber) {
         facings.follow({light}, 23, followed);
         expectSame(facings, {light}, 23, followed);
     }
+    facings.follow({glm::vec4(-1, 2, -3, 0)}, 23, followed);
+    EXPECT_LT(followed.foundAt[0], followed.look) << "a new way begins after it";
 }
 
 } // namespace

@@ -40,7 +40,7 @@ std::span<const PlaneOf> planesOf(const PlaneOf& plane) {
 
 /// Divides the records of one kind into runs. `planes`: of all records.
 template <class Planes>
-RecordRuns runsOf(const PlanePairShadow& shadow, RecordRange ShadowCluster::* records,
+RecordRuns runsOf(const PlanePairShadow& shadow, RecordRange ShadowCluster::*records,
                   const std::vector<Planes>& planes) {
     RecordRuns all;
     // By run of caps: one more than the last run of records that has it.

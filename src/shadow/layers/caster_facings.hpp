@@ -13,7 +13,7 @@ struct PlaneError {
 
 /// Keeps what CasterFacings finds for a light on its way through a batch's space.
 struct FollowedCasters {
-    FollowedFacings facings;               ///< of the triangles
+    FollowedFacings facings;                ///< of the triangles
     std::vector<std::int8_t> loosePlanes{}; ///< facings of planes that are off their triangles
 };
 
@@ -27,8 +27,8 @@ class CasterFacings {
 
     /// Sets `followed.facings.facings`, one per cap, for the next place of a light on its way: 1 if
     /// the light is certainly before the triangle, -1 if it is certainly behind; otherwise 0. Caps
-    /// whose planes are equal bit for bit get the same number, and those of opposite planes opposite
-    /// ones. `followed`: new, or of the last look.
+    /// whose planes are equal bit for bit get the same number, and those of opposite planes
+    /// opposite ones. `followed`: new, or of the last look.
     void follow(const LightInBatch& light, FollowedCasters& followed) const;
 
     /// The largest magnitude of a coordinate.

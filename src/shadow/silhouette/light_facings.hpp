@@ -24,8 +24,8 @@ constexpr float dotUnderflow(int mantissaBits) {
     return mantissaBits < 23 ? 0x1p-58f : 1e-36f;
 }
 
-/// The facings that a light finds on its way through a batch's space, and how much farther it may go
-/// until those of a run of neighbouring caps may change (docs/method.md, C48).
+/// The facings that a light finds on its way through a batch's space, and how much farther it may
+/// go until those of a run of neighbouring caps may change (docs/method.md, C48).
 struct FollowedFacings {
     static constexpr std::size_t run = 32; ///< caps
 
@@ -49,12 +49,14 @@ class LightFacings {
     /// Sets `facings`, one per cap. `mantissaBits`: of the vertex shader's floats.
     void find(const LightBall& ball, int mantissaBits, std::vector<std::int8_t>& facings) const;
 
-    /// Sets `followed.facings` to the same, for the next place of a light on its way; skips the runs
-    /// that its way can't have changed. `followed`: new, or of this batch's last look.
+    /// Sets `followed.facings` to the same, for the next place of a light on its way; skips the
+    /// runs that its way can't have changed. `followed`: new, or of this batch's last look.
     void follow(const LightBall& ball, int mantissaBits, FollowedFacings& followed) const;
 
   private:
-    std::size_t runCount() const { return (count_ + FollowedFacings::run - 1) / FollowedFacings::run; }
+    std::size_t runCount() const {
+        return (count_ + FollowedFacings::run - 1) / FollowedFacings::run;
+    }
 
     /// Components in separate arrays, padded with zeros to a multiple of a run.
     std::vector<float> x_, y_, z_, w_;
