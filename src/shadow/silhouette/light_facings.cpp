@@ -16,6 +16,9 @@ using SmallInts = std::int8_t __attribute__((vector_size(lanes)));
 /// Upper bound of a unit normal's length after rounding.
 constexpr float longestNormal = 1.0f + 1e-5f;
 
+/// Share of a light's coordinates up to which sums of its steps leave room for spare ways.
+constexpr double longestWay = 0x1p30;
+
 /// Tests the sides of planes that the lights of a ball are on, four planes at once.
 class SideTest {
   public:
@@ -66,7 +69,8 @@ void goOn(const SideTest& test, const glm::vec4& light, std::size_t runs,
     // No less than the exact sum.
     followed.way = (followed.way + changed * (1.0 + 0x1p-40)) * (1.0 + 0x1p-51);
     ++followed.look;
-    if (followed.look == 1 || light.w != followed.light.w || !std::isfinite(followed.way)) {
+    const bool tooLong = !(followed.way <= longestWay * glm::length(glm::dvec4(light)));
+    if (followed.look == 1 || light.w != followed.light.w || tooLong) {
         followed.way = 0.0;
         followed.holdsUntil.assign(runs, 0.0);
         followed.foundAt.resize(runs);
@@ -82,8 +86,8 @@ LightFacings::LightFacings(const PlanePairShadow& shadow) : count_(shadow.caps.s
     const std::size_t size = runCount() * FollowedFacings::run;
     for (auto* component : {&x_, &y_, &z_, &w_})
         component->resize(size, 0.0f);
-    for (std::size_t i = 0; i < count_; ++i) {
-        const glm::vec4& plane = shadow.caps[i].plane;
+    for (std::size_t i = 0; i < size; ++i) {
+        const glm::vec4& plane = shadow.caps[std::min(i, count_ - 1)].plane;
         x_[i] = plane.x;
         y_[i] = plane.y;
         z_[i] = plane.z;

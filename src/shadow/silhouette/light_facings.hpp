@@ -58,7 +58,7 @@ class LightFacings {
         return (count_ + FollowedFacings::run - 1) / FollowedFacings::run;
     }
 
-    /// Components in separate arrays, padded with zeros to a multiple of a run.
+    /// Components in separate arrays, padded with the last plane to a multiple of a run.
     std::vector<float> x_, y_, z_, w_;
     std::size_t count_ = 0;
 };
