@@ -36,8 +36,8 @@ struct Seen {
             faces[0].frame = FaceFrame::around(rays.outlineOf(chain.bounds()));
             rays.enter(faces[0].frame);
         }
-        std::vector<std::int8_t> facings;
-        chain.look(lightInBatch(light, worldFromBatch), {}, facings, casters);
+        FollowedChain followed;
+        chain.look(lightInBatch(light, worldFromBatch), {}, followed, casters);
         drawChain(view, rays, chain, casters, faces);
     }
 

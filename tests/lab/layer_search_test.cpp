@@ -321,6 +321,72 @@ TEST(LayerSearch, SheetsTakenForFlatCountAsTheyAre) {
     EXPECT_GE(shown, 20);
 }
 
+// A sun sinks to the horizon of a sheet with bumps. No plane is within rounding of it.
+TEST(LayerSearch, SheetsTakenForFlatTellWhenTheyTurnUncertain) {
+    const auto records = buildPlanePairs(sceneOf(test::hillyGrid(200)), false, 40.0);
+    const CasterFacings facings(*records[0]);
+    FollowedCasters followed;
+    int turned = 0;
+    for (int place = 0; place < 400; ++place) {
+        const double height = 1.0 - 0.003 * place;
+        const LightInBatch light = lightInBatch(test::sun({0.8, height, 0.5}), glm::dmat4(1.0));
+        const std::vector<std::int8_t> before = followed.facings.facings;
+        facings.follow(light, followed);
+        FollowedCasters alone;
+        facings.follow(light, alone);
+        EXPECT_EQ(followed.facings.facings, alone.facings.facings) << place;
+        for (std::size_t cap = 0; cap < before.size(); ++cap) {
+            if (followed.facings.facings[cap] == before[cap]) continue;
+            ++turned;
+            EXPECT_EQ(followed.facings.changedAt[cap / FollowedFacings::run], followed.facings.look)
+                << place;
+        }
+    }
+    EXPECT_GT(turned, 100);
+}
+
+/// Searches along the ways of some lights, and for each place by a search of its own.
+void expectSameOnTheWay(const LayerCasters& casters, Scene& scene, Random& random) {
+    LayerSearch search;
+    Light light = test::sun({0.3, 1, 0.2});
+    for (int place = 0; place < 40; ++place) {
+        switch (random.below(10)) {
+        case 0:
+            light = test::sun(random.inCube());
+            break;
+        case 1:
+            light = test::pointLight(20.0 * random.inCube());
+            break;
+        case 2:
+            scene.batches[0].worldFromBatch = glm::rotate(scene.batches[0].worldFromBatch,
+                                                          random.magnitude(-5, 0), random.inCube());
+            break;
+        case 3:
+            scene.batches[1].hidden = !scene.batches[1].hidden;
+            break;
+        default:
+            light.position += glm::dvec4(random.magnitude(-6, -1) * random.inCube(), 0.0);
+        }
+        EXPECT_EQ(search.bySilhouettes(casters, light, anyLimit),
+                  LayerSearch().bySilhouettes(casters, light, anyLimit))
+            << "place " << place;
+    }
+}
+
+TEST(LayerSearch, OnALightsWayIsAsIfThatPlaceWereTheFirst) {
+    Random random(59);
+    for (int i = 0; i < 40; ++i) {
+        SCOPED_TRACE(testing::Message() << "mesh " << i);
+        Scene scene = sceneOf(anyMesh(random));
+        scene.batches.push_back(scene.batches.front()); // shares its records
+        scene.batches[1].worldFromBatch =
+            glm::translate(glm::dmat4(1.0), 5.0 * glm::dvec3(random.inCube()));
+        // Every other mesh has planes that are off their triangles.
+        const auto records = buildPlanePairs(scene, false, i % 2 == 0 ? 0.0 : 20.0);
+        expectSameOnTheWay({scene, records}, scene, random);
+    }
+}
+
 // Two triangles meet at a sheet's diagonal, which is no silhouette.
 TEST(LayerSearch, GroupsAreMadeOnlyWhereTheTruthAsksForThem) {
     for (const int count : {100, 250, 300}) {

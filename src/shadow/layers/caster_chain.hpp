@@ -26,9 +26,33 @@ struct CasterReach {
 struct SeenCasters {
     std::vector<ChainEdge> pairs, singles;
     std::vector<std::uint32_t> uncertain; ///< casting caps with facing 0
-    // Scratch.
-    std::vector<const ShadowCluster*> clusters{}; ///< within reach
-    std::vector<std::int8_t> signedFacings{};     ///< their facings, by PlaneOf::bits
+};
+
+/// The records of one kind in runs of neighbours, and the caps that their planes come from.
+struct RecordRuns {
+    struct Run {
+        RecordRange records;
+        RecordRange capRuns; ///< in RecordRuns::capRuns, each once
+    };
+    std::vector<Run> runs;              ///< each within a cluster
+    std::vector<std::uint32_t> capRuns; ///< indices of FollowedFacings' runs
+    std::vector<RecordRange> ofCluster; ///< in `runs`
+};
+
+/// The edges of record runs in the chain of a light on its way.
+struct FollowedEdges {
+    std::vector<ChainEdge> edges;       ///< a place per record; a run's edges are in its first ones
+    std::vector<std::uint8_t> count;    ///< by run: number of its edges
+    std::vector<std::uint32_t> foundAt; ///< by run: FollowedFacings::look that found them
+};
+
+/// Keeps what CasterChain finds for a light on its way through a batch's space.
+struct FollowedChain {
+    FollowedCasters casters;
+    FollowedEdges pairs, singles;
+
+    /// Facings, one per cap (CasterFacings).
+    const std::vector<std::int8_t>& facings() const { return casters.facings.facings; }
 };
 
 /// The boundary of a batch's triangles, each signed by the side from which a light sees it.
@@ -37,9 +61,10 @@ class CasterChain {
     /// Linear in the caps. `shadow` must outlive this.
     explicit CasterChain(const PlanePairShadow& shadow);
 
-    /// Fills in `facings`, one per cap (CasterFacings), and `seen`, and reuses their memory.
-    void look(const LightInBatch& light, const CasterReach& reach,
-              std::vector<std::int8_t>& facings, SeenCasters& seen) const;
+    /// Fills in `seen` for the next place of a light on its way, and reuses its memory. Looks
+    /// only at runs whose facings changed. `followed`: new, or of this chain's last look.
+    void look(const LightInBatch& light, const CasterReach& reach, FollowedChain& followed,
+              SeenCasters& seen) const;
 
     /// All caps within reach that a ray from a point light may meet, and neighbours of these.
     /// `direction`: in the batch's space.
@@ -55,6 +80,7 @@ class CasterChain {
   private:
     const PlanePairShadow* shadow_;
     CasterFacings facings_;
+    RecordRuns pairs_, singles_;
     Box bounds_;
 };
 

@@ -67,7 +67,7 @@ CasterFacings::CasterFacings(const PlanePairShadow& shadow) : shadow_(&shadow), 
             loose_.push_back({cap, found->second});
 }
 
-void CasterFacings::find(const LightInBatch& light, std::vector<std::int8_t>& facings) const {
+void CasterFacings::follow(const LightInBatch& light, FollowedCasters& followed) const {
     // No triangle is farther from the light. An error of its normal counts times this.
     const double distance = light.length() + mostDistance * size_ * light.place.w;
     const auto reachFor = [&](const PlaneError& error) {
@@ -77,10 +77,19 @@ void CasterFacings::find(const LightInBatch& light, std::vector<std::int8_t>& fa
     };
     LightBall ball{glm::vec4(light.place)};
     ball.reach = static_cast<float>(reachFor({tight, tight * size_}));
-    facings_.find(ball, 23, facings);
-    for (const auto& [cap, error] : loose_) {
+    FollowedFacings& all = followed.facings;
+    facings_.follow(ball, 23, all);
+    followed.loosePlanes.resize(loose_.size());
+    for (std::size_t i = 0; i < loose_.size(); ++i) {
+        const auto& [cap, error] = loose_[i];
+        const std::size_t run = cap / FollowedFacings::run;
+        std::int8_t& facing = all.facings[cap];
+        if (all.foundAt[run] == all.look) followed.loosePlanes[i] = facing;
         const double side = glm::dot(glm::dvec4(shadow_->caps[cap].plane), light.place);
-        if (!(std::abs(side) > reachFor(error))) facings[cap] = 0;
+        const std::int8_t certain =
+            std::abs(side) > reachFor(error) ? followed.loosePlanes[i] : std::int8_t{0};
+        if (facing != certain) all.changedAt[run] = all.look;
+        facing = certain;
     }
 }
 

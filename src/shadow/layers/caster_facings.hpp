@@ -11,6 +11,12 @@ struct PlaneError {
     double offset = 0.0; ///< the distance of the triangle from the plane
 };
 
+/// Keeps what CasterFacings finds for a light on its way through a batch's space.
+struct FollowedCasters {
+    FollowedFacings facings;                ///< of the triangles
+    std::vector<std::int8_t> loosePlanes{}; ///< facings of planes that are off their triangles
+};
+
 /// Classifies a batch's triangles by the side from which a light sees them, where that is certain
 /// for the triangle itself and not only for its plane of floats (docs/method.md, C48).
 class CasterFacings {
@@ -19,10 +25,11 @@ class CasterFacings {
     /// outlive this.
     explicit CasterFacings(const PlanePairShadow& shadow);
 
-    /// Sets `facings`, one per cap: 1 if the light is certainly before the triangle, -1 if it is
-    /// certainly behind; otherwise 0. Caps whose planes are equal bit for bit get the same number,
-    /// and those of opposite planes opposite ones.
-    void find(const LightInBatch& light, std::vector<std::int8_t>& facings) const;
+    /// Sets `followed.facings.facings`, one per cap, for the next place of a light on its way: 1 if
+    /// the light is certainly before the triangle, -1 if it is certainly behind; otherwise 0. Caps
+    /// whose planes are equal bit for bit get the same number, and those of opposite planes
+    /// opposite ones. `followed`: new, or of the last look.
+    void follow(const LightInBatch& light, FollowedCasters& followed) const;
 
     /// The largest magnitude of a coordinate.
     double size() const { return size_; }

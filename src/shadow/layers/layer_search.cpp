@@ -11,7 +11,7 @@ namespace {
 /// A batch that a light may see.
 struct LitBatch {
     const CasterChain* chain;
-    std::vector<std::int8_t>* facings;
+    FollowedChain* followed;
     LightInBatch light;
     CasterReach reach;
     RaysOfBatch rays;
@@ -27,7 +27,7 @@ int countAlong(const glm::dvec3& direction, const std::vector<LitBatch>& batches
     int met = 0;
     for (const LitBatch& batch : batches)
         met += trianglesAlong(
-            direction, batch.rays, *batch.chain, *batch.facings,
+            direction, batch.rays, *batch.chain, batch.followed->facings(),
             batch.chain->capsAlong(batch.light, batch.batchFromWorld * direction, batch.reach));
     return met;
 }
@@ -70,15 +70,16 @@ std::optional<std::size_t> LayerSearch::bySilhouettes(const LayerCasters& caster
                                                       const Light& light, std::size_t limit,
                                                       const Box& receivers) {
     // Records that nobody holds are of an earlier pose.
-    std::erase_if(chains_, [](const auto& item) { return item.second.records.expired(); });
+    if (std::erase_if(chains_, [](const auto& item) { return item.second.records.expired(); }) > 0)
+        followed_.clear();
     const LightView view(light);
     const std::vector<glm::dvec4> planes = planesBetween(light.position, receivers);
     faces_.resize(view.faces.size());
     for (FaceChain& face : faces_)
         face.clear();
-    facings_.resize(casters.scene.batches.size());
+    followed_.resize(casters.scene.batches.size());
     std::vector<LitBatch> batches;
-    for (std::size_t i = 0; i < facings_.size(); ++i) {
+    for (std::size_t i = 0; i < followed_.size(); ++i) {
         const Batch& batch = casters.scene.batches[i];
         if (batch.hidden || !casters.records[i] || casters.records[i]->caps.empty()) continue;
         const glm::dmat4& worldFromBatch = batch.worldFromBatch;
@@ -86,13 +87,15 @@ std::optional<std::size_t> LayerSearch::bySilhouettes(const LayerCasters& caster
         const LightInBatch inBatch = lightInBatch(light, worldFromBatch);
         const CasterReach reach = reachInBatch(light, planes, worldFromBatch);
         if (!reach.mayHold(chain.bounds(), inBatch)) continue;
-        batches.push_back({&chain, &facings_[i], inBatch, reach,
+        Followed& followed = followed_[i];
+        if (followed.chain != &chain) followed = {&chain, {}};
+        batches.push_back({&chain, &followed.of, inBatch, reach,
                            RaysOfBatch(view, worldFromBatch, chain.size()),
                            glm::inverse(glm::dmat3(worldFromBatch))});
     }
     if (view.directional) enterFrame(batches, faces_[0]);
     for (LitBatch& of : batches) {
-        of.chain->look(of.light, of.reach, *of.facings, seen_);
+        of.chain->look(of.light, of.reach, *of.followed, seen_);
         drawChain(view, of.rays, *of.chain, seen_, faces_);
     }
     FaceBound bound(limit);

@@ -35,11 +35,16 @@ class LayerSearch {
         std::weak_ptr<const PlanePairShadow> records;
         CasterChain chain;
     };
+    /// Keeps what the last light found on its way.
+    struct Followed {
+        const CasterChain* chain = nullptr; ///< in chains_
+        FollowedChain of{};
+    };
     const CasterChain& chainOf(const std::shared_ptr<const PlanePairShadow>& records);
 
     std::map<const PlanePairShadow*, Kept> chains_;
+    std::vector<Followed> followed_; ///< by batch
     // Memory that searches reuse.
-    std::vector<std::vector<std::int8_t>> facings_; ///< by batch
     SeenCasters seen_;
     std::vector<FaceChain> faces_;
 };

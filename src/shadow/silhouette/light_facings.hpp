@@ -24,6 +24,21 @@ constexpr float dotUnderflow(int mantissaBits) {
     return mantissaBits < 23 ? 0x1p-58f : 1e-36f;
 }
 
+/// The facings that a light finds on its way through a batch's space, and how much farther it may
+/// go until those of a run of neighbouring caps may change (docs/method.md, C48).
+struct FollowedFacings {
+    static constexpr std::size_t run = 32; ///< caps
+
+    std::vector<std::int8_t> facings;     ///< as of LightFacings::find()
+    std::vector<double> holdsUntil;       ///< by run: its facings hold while `way` is less
+    std::vector<std::uint32_t> foundAt;   ///< by run: the last look that tested it
+    std::vector<std::uint32_t> changedAt; ///< by run: the last look that found other facings
+    double way = 0.0;                     ///< at least the length of the light's way up to here
+    float margin = 0.0f;                  ///< of the last look
+    glm::vec4 light{0.0f};                ///< of the last look
+    std::uint32_t look = 0;               ///< number of looks
+};
+
 /// Classifies a batch's planes by the side that the lights of a ball are on: 1 or -1 if planeSide()
 /// certainly gives that for each of them, however it rounds; otherwise 0.
 class LightFacings {
@@ -34,8 +49,16 @@ class LightFacings {
     /// Sets `facings`, one per cap. `mantissaBits`: of the vertex shader's floats.
     void find(const LightBall& ball, int mantissaBits, std::vector<std::int8_t>& facings) const;
 
+    /// Sets `followed.facings` to the same, for the next place of a light on its way; skips the
+    /// runs that its way can't have changed. `followed`: new, or of this batch's last look.
+    void follow(const LightBall& ball, int mantissaBits, FollowedFacings& followed) const;
+
   private:
-    /// Components in separate arrays, padded with zeros to a multiple of the lanes.
+    std::size_t runCount() const {
+        return (count_ + FollowedFacings::run - 1) / FollowedFacings::run;
+    }
+
+    /// Components in separate arrays, padded with the last plane to a multiple of a run.
     std::vector<float> x_, y_, z_, w_;
     std::size_t count_ = 0;
 };
