@@ -37,8 +37,9 @@ std::vector<glm::vec2> texcoordsOf(const MaskMesh& mesh, std::size_t vertices) {
     return texcoords;
 }
 
-/// Makes coordinates 0 that are beneath double rounding beside the largest one. Seams that a sine of a
-/// whole turn leaves open, as those of three.js's spheres, close so: the corners differ by 2^-52 of it.
+/// Makes coordinates 0 that are beneath double rounding beside the largest one. Seams that a sine
+/// of a whole turn leaves open, as those of three.js's spheres, close so: the corners differ by
+/// 2^-52 of it.
 void closeRoundedSeams(std::vector<glm::vec3>& positions) {
     float largest = 0.0f;
     for (const glm::vec3& p : positions)

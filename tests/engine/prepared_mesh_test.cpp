@@ -1,4 +1,4 @@
-// What meshes of hosts become before they are drawn.
+// Meshes of hosts, as they are prepared.
 #include "src/engine/prepared_mesh.hpp"
 
 #include <cmath>
@@ -9,8 +9,8 @@
 namespace edgeshade {
 namespace {
 
-/// A torus whose rings end beside where they begin, by sines and cosines of a whole turn in doubles, as
-/// three.js makes it: `along` rings of `around` quads.
+/// A torus whose rings end beside where they begin, by sines and cosines of a whole turn in
+/// doubles, as three.js makes it: `along` rings of `around` quads.
 struct Torus {
     std::vector<float> positions;
     std::vector<std::uint32_t> indices;
