@@ -14,14 +14,16 @@ const partBytes = 2 ** 18, stepMilliseconds = 8;
 
 const nextTask = () => new Promise((resolve) => { setTimeout(resolve); });
 
-/** Bytes of a step's first piece, and of the smallest and the largest one; and milliseconds that a piece may take. */
-const firstPiece = 2 ** 20, smallestPiece = 2 ** 16, largestPiece = 2 ** 22, pieceMilliseconds = 8;
+/** Bytes of a map's piece, and of pieces under way: a browser holds as many for its GPU process without waiting. */
+const pieceBytes = 2 ** 19, mostUnderWay = 2 ** 24;
+
+/** Milliseconds after which that process has most likely taken a piece, though the GPU still draws what came before. */
+const longestWay = 500;
 
 export class LightLookups {
   #module;
   #texels = new Map(); // texels left to upload, by id: {texels, next}
-  #piece = firstPiece;
-  #sync = null; // after the last step's piece
+  #sent = []; // pieces under way, a step's together, oldest first: {sync behind them or null, bytes, since}
   #isDisposed = false;
   #engine; // {gl, program, masks, inContext, withLight, require, textureOf}
   #calls = new WorkerCalls(() => new Worker(new URL('./lookup-worker.js', import.meta.url), { type: 'module' }),
@@ -30,6 +32,11 @@ export class LightLookups {
   constructor(module, engine) {
     this.#module = module;
     this.#engine = engine;
+  }
+
+  /** Starts the worker ahead of build(). */
+  start() {
+    this.#calls.start({ module: this.#module });
   }
 
   async build(light, { size = 512, mostBytes = mostBytesAsked, restMs = 500, cutouts = false, tints = false, lightSamples = 64, signal } = {}) {
@@ -98,22 +105,22 @@ export class LightLookups {
     return true;
   }
 
-  /** Uploads one piece, unless the GPU is still busy with the one before. */
+  /** Uploads pieces for some milliseconds, as long as few bytes are under way. */
   uploadStep(id) {
-    const { gl } = this.#engine;
-    if (this.#sync && gl.getSyncParameter(this.#sync, gl.SYNC_STATUS) !== gl.SIGNALED) return false;
-    const since = performance.now(), whole = this.upload(id, this.#piece), took = performance.now() - since;
-    const share = Math.min(Math.max(pieceMilliseconds / took, 0.25), 2);
-    this.#piece = Math.min(Math.max(this.#piece * share, smallestPiece), largestPiece);
-    this.#endSync();
-    this.#sync = (!whole && gl.fenceSync?.(gl.SYNC_GPU_COMMANDS_COMPLETE, 0)) || null;
-    gl.flush();
+    const { gl } = this.#engine, since = performance.now(), isTaken = (sync) => sync && gl.getSyncParameter(sync, gl.SYNC_STATUS) === gl.SIGNALED;
+    while (this.#sent[0] && (since - this.#sent[0].since > longestWay || isTaken(this.#sent[0].sync))) this.#endSyncs(1);
+    let bytes = 0, whole = false;
+    for (const room = this.#sent.reduce((left, sent) => left - sent.bytes, mostUnderWay); !whole && bytes < room && performance.now() < since + stepMilliseconds; bytes += pieceBytes)
+      whole = this.upload(id, pieceBytes);
+    if (bytes > 0) {
+      this.#sent.push({ sync: gl.fenceSync?.(gl.SYNC_GPU_COMMANDS_COMPLETE, 0), bytes, since });
+      gl.flush();
+    }
     return whole;
   }
 
-  #endSync() {
-    if (this.#sync) this.#engine.gl.deleteSync(this.#sync);
-    this.#sync = null;
+  #endSyncs(count = this.#sent.length) {
+    for (const { sync } of this.#sent.splice(0, count)) if (sync) this.#engine.gl.deleteSync(sync);
   }
 
   of(id) {
@@ -140,12 +147,12 @@ export class LightLookups {
   /** Called when the context is lost with everything in it. */
   forget() {
     this.#texels.clear();
-    this.#sync = null;
+    this.#sent = [];
   }
 
   dispose() {
     this.#isDisposed = true;
-    this.#endSync();
+    this.#endSyncs();
     this.#calls.dispose();
   }
 }

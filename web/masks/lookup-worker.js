@@ -13,8 +13,7 @@ const asked = new Set(); // numbers
 
 const messages = turns();
 
-async function build({ number, module, task }) {
-  ready ??= instantiate(module).then((program) => ({ program, maker: new program.LookupMaker() }));
+async function build({ number, task }) {
   const { program, maker } = await ready;
   if (!asked.has(number)) return;
   const problem = maker.begin(...putParts(program, task));
@@ -30,6 +29,7 @@ async function build({ number, module, task }) {
 }
 
 onmessage = ({ data }) => {
+  if (data.module) ready ??= instantiate(data.module).then((program) => ({ program, maker: new program.LookupMaker() }));
   if (!data.task) {
     asked.delete(data.number);
     return;

@@ -337,6 +337,8 @@ export class ShadowMasks {
    * here. Numbers that aren't finite: there are none.
    */
   setReceivers(low: [number, number, number], high: [number, number, number]): void;
+  /** Starts the worker of buildLookup() ahead of it, for 10 seconds. */
+  startLookups(): void;
   /**
    * Has a worker build the map of a resting light, for the casters that rest now.
    * Resolves with a lookup's number, or null if `signal` cancelled it.
@@ -354,8 +356,8 @@ export class ShadowMasks {
    */
   uploadLookup(lookup: number, mostBytes?: number): boolean;
   /**
-   * Uploads a piece that takes some milliseconds, by the time of the piece before. In WebGL 2 it uploads nothing
-   * while the GPU is still busy with that. Returns whether all is uploaded; call it once a frame until then.
+   * Uploads pieces of 512 KB for up to 8 ms, until 16 MB are under way: until the GPU has taken them, in WebGL 2, or
+   * half a second has passed. Returns whether all is uploaded; call it once a frame until then.
    */
   uploadLookupStep(lookup: number): boolean;
   lookup(lookup: number): LightLookup;

@@ -248,6 +248,11 @@ export class ShadowMasks {
     this.#masks.setReceivers(...low, ...high);
   }
 
+  /** Starts the worker of buildLookup() ahead of it. */
+  startLookups() {
+    this.#lookups.start();
+  }
+
   /** Has a worker build the map of a resting light, for the current casters. Resolves with the
    * lookup's id, or null if `signal` cancelled it. */
   buildLookup(light, options) {

@@ -43,6 +43,15 @@ export class WorkerCalls {
     }
   }
 
+  /** Starts the worker ahead of its first call, with a message that it doesn't answer. */
+  start(message) {
+    if (!this.#worker) {
+      this.#worker = this.#started();
+      this.#worker.postMessage(message);
+    }
+    this.#rest();
+  }
+
   #started() {
     const worker = this.#start();
     worker.onmessage = ({ data: { number, result, problem } }) => this.#settle(number, ({ resolve, reject }) =>
@@ -59,6 +68,11 @@ export class WorkerCalls {
     if (!waiting) return; // cancelled before
     this.#waiting.delete(number);
     by(waiting);
+    this.#rest();
+  }
+
+  #rest() {
+    clearTimeout(this.#idle);
     if (this.#waiting.size === 0 && this.#idleMilliseconds < Infinity)
       this.#idle = setTimeout(() => this.#end(), this.#idleMilliseconds);
   }

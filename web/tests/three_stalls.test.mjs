@@ -102,37 +102,137 @@ test('meshes and lookups come without questions to the GL that wait for pending 
   await shared.check(page);
 });
 
-test('a map is uploaded in pieces of some milliseconds, each once the GPU has taken the one before', async () => {
+test('a map is uploaded in steps of some milliseconds, with few bytes under way at a time', async () => {
   const page = await openThree(shared);
   const told = await page.evaluate(async () => {
     const { three } = window.page;
     const { ShadowMasks } = await import('/masks/shadow-masks.js');
     const gl = document.createElement('canvas').getContext('webgl2');
     const masks = await ShadowMasks.create(gl);
-    const { index, attributes } = new three.TorusKnotGeometry(1, 0.4, 300, 40);
+    const { index, attributes } = new three.TorusKnotGeometry(1, 0.4, 600, 80);
     masks.add(await masks.prepare({ positions: attributes.position.array, indices: index.array }), new three.Matrix4().elements);
-    const id = await masks.buildLookup({ direction: [0.2, -1, 0.1] }, { restMs: 0 });
+    const ids = [];
+    for (const direction of [[0.2, -1, 0.1], [0.3, -1, 0.1], [-1, -1, 0]]) ids.push(await masks.buildLookup({ direction }, { restMs: 0, mostBytes: 2 ** 28 }));
     const pieces = [];
+    let slow = 0, busy = true, late = 0;
+    performance.now = () => late; // only pieces take time
     gl.texSubImage2D = (...given) => {
       pieces.push(16 * given[4] * given[5]);
-      for (const since = performance.now(); performance.now() - since < 30;); // a slow one
+      late += slow;
       WebGL2RenderingContext.prototype.texSubImage2D.apply(gl, given);
     };
-    let busy = true;
     gl.getSyncParameter = () => (busy ? gl.UNSIGNALED : gl.SIGNALED);
-    const done = [masks.uploadLookupStep(id), masks.uploadLookupStep(id), masks.uploadLookupStep(id)];
-    const whileBusy = pieces.length;
+    const step = (id) => {
+      const before = pieces.length, whole = masks.uploadLookupStep(id);
+      return { pieces: pieces.length - before, whole };
+    };
+    const { bytes } = masks.lookup(ids[0]);
+    slow = 3;
+    const first = step(ids[0]);
+    slow = 30;
+    const second = step(ids[0]);
+    slow = 0;
     busy = false;
-    let steps = 0;
-    do ++steps; while (!masks.uploadLookupStep(id));
-    const { uploaded, bytes } = masks.lookup(id);
-    return { pieces, done, whileBusy, steps, uploaded, bytes, error: gl.getError() };
+    for (let i = 0; i < 1000 && !step(ids[0]).whole; ++i);
+    // The next two, while the GPU is busy.
+    slow = 8;
+    step(ids[1]);
+    [slow, busy] = [0, true];
+    late += 600;
+    const since = pieces.length, { uploaded } = masks.lookup(ids[0]);
+    for (let i = 0; i < 1000 && !step(ids[1]).whole; ++i);
+    const stopped = Array.from({ length: 100 }, () => step(ids[2])).at(-1);
+    const under = pieces.slice(since).reduce((sum, piece) => sum + piece, 0);
+    late += 600;
+    const later = step(ids[2]).pieces;
+    return { bytes, first, second, uploaded, under, stopped, later, largest: Math.max(...pieces), error: gl.getError() };
   });
   console.log(told);
-  assert.deepEqual([told.done, told.whileBusy, told.uploaded, told.error], [[false, false, false], 1, true, 0]);
-  assert.ok(told.pieces[0] <= 2 ** 20 && told.pieces[1] <= told.pieces[0] / 2 && told.pieces[2] <= told.pieces[1] / 2, 'slow pieces get smaller');
-  assert.equal(told.pieces.length, told.steps + 1);
+  assert.ok(told.largest <= 2 ** 19, `pieces of ${told.largest} bytes`);
+  assert.ok(told.bytes > 2 ** 23);
+  assert.deepEqual([told.first.pieces, told.second.pieces, told.uploaded, told.error], [3, 1, true, 0], 'steps end after 8 ms');
+  assert.deepEqual(told.stopped, { pieces: 0, whole: false });
+  assert.ok(told.under > 2 ** 23 && told.under <= 2 ** 24 + 2 ** 19, `${told.under} bytes are under way`);
+  assert.ok(told.later > 0, 'the browser has taken them after half a second');
   await shared.check(page);
+});
+
+test('masks of a still view are drawn a few times while many meshes are added step by step', async () => {
+  const page = await openThree(shared);
+  const told = await page.evaluate(async () => {
+    const { yard, ExactShadows, cameraOf, frame, rested } = window.page;
+    const { building } = await import('/tests/building.js');
+    const { ShadowMasks } = await import('/masks/shadow-masks.js'), { draw, add, addMerged } = ShadowMasks.prototype;
+    const { renderer, scene, box } = yard({ width: 80, height: 60 });
+    const camera = cameraOf({ from: [9, 8, 10], to: [0, 0.6, 0], fov: 50 }, 4 / 3);
+    const shadows = new ExactShadows(renderer).add(scene);
+    await rested(shadows, scene, camera);
+    let late = 0, draws = 0, groups = 0, lacks = false, moved = null;
+    const { now } = Performance.prototype;
+    Performance.prototype.now = function () { return now.call(this) + late; };
+    const instead = (name, act, before) => { ShadowMasks.prototype[name] = function (...given) {
+      before();
+      return act.apply(this, given);
+    }; };
+    const note = () => {
+      late += 10; // a step adds no more than one
+      groups += 1;
+      lacks = true;
+    };
+    instead('addMerged', addMerged, note);
+    instead('add', add, note);
+    instead('draw', draw, () => {
+      draws += 1;
+      lacks = false;
+    });
+    scene.add(building(900, { width: 6 }));
+    let frames = 0;
+    do {
+      const before = groups;
+      await frame();
+      shadows.render(scene, camera);
+      frames += groups > before;
+      if (frames !== 4 || moved !== null) continue;
+      const since = draws;
+      box.position.y += 0.2;
+      shadows.render(scene, camera);
+      moved = draws - since;
+    } while (shadows.cost.pending > 0);
+    const told = { draws, groups, frames, moved, lacks };
+    Object.assign(ShadowMasks.prototype, { draw, add, addMerged });
+    Performance.prototype.now = now;
+    return told;
+  });
+  console.log(told);
+  assert.ok(told.frames >= 8, `groups are added in ${told.frames} frames`);
+  assert.ok(told.draws <= told.frames / 2, `${told.draws} draws of masks`);
+  assert.equal(told.moved, 1, 'what moves meanwhile is drawn in that very frame');
+  assert.ok(!told.lacks, 'the last masks have them all');
+  await shared.check(page, [/GPU stall due to ReadPixels/]);
+});
+
+test('the worker of maps starts while meshes are prepared', async () => {
+  const page = await openThree(shared);
+  const told = await page.evaluate(async () => {
+    const { yard, ExactShadows, cameraOf, frame } = window.page;
+    const { building } = await import('/tests/building.js');
+    const { renderer, scene } = yard({ width: 80, height: 60 });
+    const camera = cameraOf({ from: [9, 8, 10], to: [0, 0.6, 0], fov: 50 }, 4 / 3);
+    scene.add(building(300, { width: 6 }));
+    const shadows = new ExactShadows(renderer).add(scene), sent = [], { postMessage } = Worker.prototype;
+    Worker.prototype.postMessage = function (message, ...given) {
+      if (!message.meshes) sent.push({ task: Boolean(message.task), pending: shadows.cost.pending > 0 });
+      return postMessage.call(this, message, ...given);
+    };
+    while (!sent.some(({ task }) => task)) {
+      await frame();
+      shadows.render(scene, camera);
+    }
+    Worker.prototype.postMessage = postMessage;
+    return sent;
+  });
+  assert.deepEqual(told, [{ task: false, pending: true }, { task: true, pending: false }]);
+  await shared.check(page, [/GPU stall due to ReadPixels/]);
 });
 
 test("programs of masks are taken over once the GPU's compiler and its draws are done, and all of them before the first masks", async () => {

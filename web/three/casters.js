@@ -120,6 +120,7 @@ export class Casters {
   #transparentCast = '';
   #round = 0;            // number of follow()'s calls
   #revision = 0;
+  #added = false;        // whether #revision doesn't tell yet what the queue has added
   #atOnce = { since: 0, triangles: 0 }; // of new meshes that were prepared within frames
   #versions = [];        // of the mesh that is compared
   #problems = [];
@@ -238,7 +239,18 @@ export class Casters {
   /** Works for some milliseconds on pending meshes. */
   advance() {
     if (this.#unread.size) this.#readOn();
-    else if (this.#queue.advance()) this.#touched();
+    else this.#takeSteps();
+  }
+
+  /** While meshes are added step by step, masks are still those of before, unless they are drawn for another reason. */
+  #takeSteps() {
+    const before = this.#revision;
+    if (this.#queue.advance()) this.#touched();
+    this.#added ||= this.#revision !== before;
+    this.#revision = before;
+    if (!this.#added || (this.#queue.isAdding && this.#pending > 0)) return;
+    this.#added = false;
+    this.#revision += 1;
   }
 
   /** Goes on with the new meshes of the last follow(). */

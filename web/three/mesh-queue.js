@@ -19,6 +19,7 @@ export class MeshQueue {
   #steps = [];
   #held = []; // steps that add meshes
   #heldSince = 0;
+  #adding = 0; // of the steps, those that add meshes
   #batch = null; // read, and not yet sent
   #grows = false; // whether a mesh has come since the last advance()
   #calls = new Set();
@@ -48,6 +49,11 @@ export class MeshQueue {
     return [...this.#calls];
   }
 
+  /** Whether some of the meshes that may be added have been, and some haven't. */
+  get isAdding() {
+    return this.#adding > 0;
+  }
+
   /** Takes steps for a few milliseconds. Returns whether the GL's state has changed. */
   advance() {
     const until = performance.now() + frameMilliseconds;
@@ -68,7 +74,12 @@ export class MeshQueue {
   #release() {
     const isBusy = this.#batch || this.#waiting.length + this.#steps.length + this.#calls.size > 0;
     if (this.#held.length === 0 || (isBusy && performance.now() - this.#heldSince < patience) || !this.#isPrepared()) return;
-    this.#steps.push(...this.#held.splice(0));
+    const steps = this.#held.splice(0);
+    this.#adding += steps.length;
+    this.#steps.push(...steps.map((step) => () => {
+      this.#adding -= 1;
+      return step();
+    }));
   }
 
   #hold(step) {

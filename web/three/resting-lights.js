@@ -60,6 +60,7 @@ export class RestingLights {
     this.#followCasters(settled, now);
     const seen = new Set(lights.map(({ light }) => light));
     for (const [light, entry] of this.#entries) if (!seen.has(light)) this.#drop(light, entry);
+    if (!settled && this.#most > 0 && lights.length > 0) this.#masks.startLookups();
     for (const { light, numbers } of lights) this.#followOne(light, numbers, now);
     this.#uploadOne();
     this.#beginOne(lights, now);
