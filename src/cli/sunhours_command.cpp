@@ -124,6 +124,7 @@ void expose(const SunHoursOptions& options, const SunHoursWay& way, const Loaded
     hours::Exposure& exposure = part.exposure;
     exposure.width = request.width;
     exposure.height = request.height;
+    bar.show(surfacesShare, countingText(directions.size()));
     if (way.byRays) {
         exposure.lit = lab::litCounts(oracle, surfaces, directions, [&](double share) {
             bar.show(surfacesShare + countingShare * share, countingText(directions.size()));
