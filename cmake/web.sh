@@ -5,9 +5,13 @@ source cmake/sources.sh
 
 web_packages=(emscripten cmake ninja-build dpkg-dev libglm-dev libtinygltf-dev libstb-dev
     nlohmann-json3-dev libboost-dev)
-# Chromium's engine alone, where the system has it.
-headless=$(apt-cache show chromium-headless-shell >/dev/null 2>&1 && echo -headless-shell || true)
-web_test_packages=("chromium$headless" fonts-dejavu-core)
+
+# install_web_test_packages: what the browser's tests take, with Chromium's engine alone where the system has it.
+install_web_test_packages() {
+    local chromium=chromium
+    if apt-cache show chromium-headless-shell >/dev/null 2>&1; then chromium=chromium-headless-shell; fi
+    install_packages "${web_packages[@]}" "$chromium" fonts-dejavu-core
+}
 
 # build_web: builds the viewer for browsers into build/web.
 build_web() {

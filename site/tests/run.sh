@@ -11,6 +11,6 @@ command -v doxygen > /dev/null || skip "Doxygen is not here; Debian's package of
 command -v node > /dev/null || skip "there is no Node.js."
 [ -d node_modules/axe-core ] || skip "the site's packages are not installed; 'npm ci' in site/ does that."
 [ -d ../web/node_modules/playwright-core ] || skip "playwright-core is not installed; 'npm ci' in web/ does that."
-command -v "${EDGESHADE_CHROMIUM:-chromium-headless-shell}" > /dev/null || command -v chromium > /dev/null || skip "there is no Chromium."
+[ -x "$(node ../web/tests/support/chromium-path.mjs)" ] || skip "there is no Chromium."
 node tools/build.mjs
 exec node --test --test-concurrency=1 tests/*.test.mjs

@@ -1,6 +1,7 @@
 #include "src/engine/prepared_mesh.hpp"
 
 #include "preprocess/base/error.hpp"
+#include "preprocess/base/vectors.hpp"
 #include "preprocess/scene/triangle_mesh.hpp"
 #include "src/scene/load.hpp"
 #include "src/shadow/plan/solid_clusters.hpp"
@@ -41,10 +42,10 @@ std::vector<glm::vec2> texcoordsOf(const MaskMesh& mesh, std::size_t vertices) {
 /// of a whole turn leaves open, as those of three.js's spheres, close so: the corners differ by
 /// 2^-52 of it.
 void closeRoundedSeams(std::vector<glm::vec3>& positions) {
-    float largest = 0.0f;
+    double largest = 0.0;
     for (const glm::vec3& p : positions)
-        largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-    const float rounding = std::ldexp(largest, -50);
+        largest = std::max(largest, largestComponent(p));
+    const double rounding = std::ldexp(largest, -50);
     for (glm::vec3& p : positions)
         for (int i = 0; i < 3; ++i)
             if (std::abs(p[i]) < rounding) p[i] = 0.0f;

@@ -7,7 +7,7 @@
 
 namespace {
 
-std::string linked; ///< the vertex stages' first lines of the programs that were linked
+std::string linked; ///< how the stages of the programs that were linked begin
 
 } // namespace
 
@@ -16,9 +16,9 @@ extern "C" GL_APICALL void GL_APIENTRY glLinkProgram(GLuint program) {
     GLuint stages[2];
     glGetAttachedShaders(program, 2, nullptr, stages);
     for (const GLuint stage : stages) {
-        char source[4096];
+        char source[400];
         glGetShaderSource(stage, sizeof source, nullptr, source);
-        linked += std::string(source).substr(0, 400) + "\n---\n";
+        linked += std::string(source) + "\n---\n";
     }
     reinterpret_cast<void (*)(GLuint)>(edgeshade::test::eglLookUp("glLinkProgram"))(program);
 }

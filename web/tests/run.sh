@@ -14,7 +14,7 @@ skip() {
 [[ -e ../build/web/wasm/edgeshade.wasm ]] || skip "build/web is not built; './run web --build-only' does that."
 command -v node >/dev/null || skip "there is no Node.js."
 [[ -d node_modules/playwright-core ]] || skip "playwright-core is not installed; 'npm ci' in web/ does that."
-command -v "${EDGESHADE_CHROMIUM:-chromium-headless-shell}" chromium >/dev/null || skip "there is no Chromium."
+[[ -x $(node tests/support/chromium-path.mjs) ]] || skip "there is no Chromium."
 shift
 (($#)) || set -- tests/*.test.mjs
 

@@ -1,7 +1,7 @@
 // A headless Chromium that draws WebGL in software, the same on every machine.
 
-import { existsSync } from 'node:fs';
 import { chromium } from 'playwright-core';
+import { chromiumPath } from './chromium-path.mjs';
 
 const flags = ['--headless=new', '--no-sandbox', '--use-gl=angle', '--enable-unsafe-swiftshader',
   '--ignore-gpu-blocklist', '--disable-quic', '--no-first-run',
@@ -11,16 +11,13 @@ const flags = ['--headless=new', '--no-sandbox', '--use-gl=angle', '--enable-uns
 /** Give pages an adapter of WebGPU that computes on SwiftShader's Vulkan. */
 const webGpuFlags = ['--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader'];
 
-/** The engine alone takes half the processor time of the whole browser. */
-const programs = ['/usr/bin/chromium-headless-shell', '/usr/bin/chromium'];
-
 /**
  * `angle`: the GL that Chromium draws with; gl-egl is the system's own, for example Mesa's software
  * renderer. `webGpu`: whether pages have WebGPU. `composites`: whether that GL also composes the page,
  * which takes longer than the processor does.
  */
 export const launchChromium = ({ angle = 'swiftshader', webGpu = false, composites = false } = {}) => chromium.launch({
-  executablePath: process.env.EDGESHADE_CHROMIUM ?? programs.find(existsSync),
+  executablePath: chromiumPath,
   args: [...flags, ...(webGpu ? webGpuFlags : []), ...(composites ? [] : ['--disable-gpu-compositing']), `--use-angle=${angle}`],
   env: { EGL_PLATFORM: 'surfaceless', ...process.env },
 });
