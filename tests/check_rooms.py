@@ -2,8 +2,9 @@
 """Checks and draws the includes between folders.
 
     tests/check_rooms.py            fails where an include points up the list of rooms, where headers
-                                    include each other in a circle, or where a room sees GL, JSON or
-                                    tinygltf although it must not
+                                    include each other in a circle, where a room sees GL, JSON or
+                                    tinygltf although it must not, or where two headers define a type
+                                    of the same name in the same namespace
     tests/check_rooms.py --draw     redraws docs/figures/rooms.svg
 """
 
@@ -41,6 +42,10 @@ SEES_TINYGLTF = ("preprocess/gltf", "preprocess/reading")
 TINYGLTF_HEADER = "preprocess/gltf/tinygltf_model.hpp"
 
 INCLUDE = re.compile(r'^\s*#include\s+(?:"([^"]+)"|<([^>]+)>)', re.M)
+
+# Starts of lines, as clang-format sets them.
+NAMESPACE = re.compile(r"namespace ([\w:]+) \{|(\} // namespace)")
+TYPE = re.compile(r"(?:template <.*>\s*)?(?:struct|class|enum class|union) (\w+)(?: final)?(?: :[^;]*)? \{")
 
 
 def sources():
@@ -100,6 +105,27 @@ def circles(includes):
     return found
 
 
+def types_of(path):
+    """The types that a header defines in namespaces, by their whole names."""
+    within, found = [], set()
+    for line in (ROOT / path).read_text().splitlines():
+        if space := NAMESPACE.match(line):
+            within = within + [space[1]] if space[1] else within[:-1]
+        elif defined := TYPE.match(line):
+            found.add("::".join(within + [defined[1]]))
+    return found
+
+
+def types_twice(paths):
+    """Two such types break the rule of one definition: linkers keep one of their functions."""
+    where = {}
+    for path in paths:
+        if path.endswith(".hpp"):
+            for name in types_of(path):
+                where.setdefault(name, []).append(path)
+    return [(name, paths) for name, paths in sorted(where.items()) if len(paths) > 1]
+
+
 def faults(includes):
     for path in includes:
         if room_of(path) is None and path.startswith(("preprocess/", "src/")):
@@ -110,6 +136,8 @@ def faults(includes):
             there = room_of(header)
             if here and there and ROOMS.index(there) > ROOMS.index(here):
                 yield f"{path} includes {header}, which points up from {here} to {there}."
+    for name, paths in types_twice(includes):
+        yield f"{name} is defined in {' and in '.join(paths)}."
     for circle in circles(includes):
         yield "these modules include each other in a circle: " + " -> ".join(circle) + "."
     for path in includes:

@@ -9,7 +9,7 @@
 namespace edgeshade {
 namespace {
 
-constexpr const char* extensionName = "KHR_draco_mesh_compression";
+constexpr const char* dracoExtension = "KHR_draco_mesh_compression";
 
 std::unique_ptr<draco::Mesh> decodeMesh(std::span<const std::uint8_t> bytes,
                                         const std::string& where) {
@@ -97,10 +97,10 @@ FloatArray readAttribute(const draco::Mesh& mesh, const draco::PointAttribute& a
 std::optional<DracoPrimitive> readDracoPrimitive(const GltfDocument& document,
                                                  const tinygltf::Primitive& primitive,
                                                  const std::string& field, MemoryBudget& memory) {
-    const auto found = primitive.extensions.find(extensionName);
+    const auto found = primitive.extensions.find(dracoExtension);
     if (found == primitive.extensions.end()) return std::nullopt;
     const tinygltf::Value& extension = found->second;
-    const std::string where = document.where(field) + "." + extensionName;
+    const std::string where = document.where(field) + "." + dracoExtension;
     if (primitive.mode != TINYGLTF_MODE_TRIANGLES && primitive.mode != TINYGLTF_MODE_TRIANGLE_STRIP)
         throw InputError(where + " is used with mode " + std::to_string(primitive.mode) +
                          "; only triangles and triangle strips can be compressed.");

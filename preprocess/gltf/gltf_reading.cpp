@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-void resolveBuffers(GltfDocument& document, std::optional<Bytes> binaryChunk) {
+void resolveBuffers(GltfDocument& document, std::optional<Bytes> binary) {
     if (!document.json.contains("buffers")) return;
     const Json& buffers = document.json["buffers"];
     for (std::size_t i = 0; i < buffers.size(); ++i) {
@@ -24,8 +24,8 @@ void resolveBuffers(GltfDocument& document, std::optional<Bytes> binaryChunk) {
         Bytes bytes;
         if (buffer.contains("uri"))
             bytes = resolveUri(document, field + ".uri", buffer["uri"].get<std::string>());
-        else if (i == 0 && binaryChunk)
-            bytes = std::move(*binaryChunk);
+        else if (i == 0 && binary)
+            bytes = std::move(*binary);
         else if (!isMeshoptFallback(buffer))
             throw InputError(document.where(field) + ".uri is missing.");
         else {

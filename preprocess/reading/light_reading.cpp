@@ -11,7 +11,7 @@
 namespace edgeshade {
 namespace {
 
-constexpr const char* extensionName = "KHR_lights_punctual";
+constexpr const char* lightsExtension = "KHR_lights_punctual";
 constexpr double rightAngle = std::numbers::pi / 2.0;
 
 SceneLight::Kind kindOf(const JsonField& light) {
@@ -98,7 +98,7 @@ std::vector<SceneLight> readLights(const GltfDocument& document, const NodeWalk&
                                    Warnings& warnings) {
     const JsonField root(document.path, document.json);
     std::vector<std::optional<SceneLight>> lamps;
-    root.ifExtension(extensionName, [&](const JsonField& extension) {
+    root.ifExtension(lightsExtension, [&](const JsonField& extension) {
         if (!readOrWarn(warnings, "the lights are left out", [&] { extension.requireObject(); }))
             return;
         lamps = soundItems(extension, "lights", "light", warnings,
@@ -106,7 +106,7 @@ std::vector<SceneLight> readLights(const GltfDocument& document, const NodeWalk&
     });
     std::vector<SceneLight> lights;
     forEachNode(document, walk, "light", warnings, [&](const JsonField& node, const auto* placed) {
-        node.ifExtension(extensionName, [&](const JsonField& extension) {
+        node.ifExtension(lightsExtension, [&](const JsonField& extension) {
             const JsonField reference = extension.member("light");
             const int index = reference.indexInto(lamps.size(), "lights");
             const auto& lamp = lamps[static_cast<std::size_t>(index)];

@@ -8,7 +8,7 @@
 namespace edgeshade {
 namespace {
 
-constexpr const char* extensionName = "KHR_materials_variants";
+constexpr const char* variantsExtension = "KHR_materials_variants";
 
 /// Calls use(mappings) with the primitive's list of materials by variant, if it has one.
 template <class Use>
@@ -17,7 +17,7 @@ void withMappings(const GltfDocument& document, std::size_t mesh, std::size_t pr
         "meshes[" + std::to_string(mesh) + "].primitives[" + std::to_string(primitive) + "]";
     const auto& source = document.json.at("meshes").at(mesh).at("primitives").at(primitive);
     const JsonField field(document.path, source, name.c_str());
-    field.ifExtension(extensionName,
+    field.ifExtension(variantsExtension,
                       [&](const JsonField& extension) { use(extension.member("mappings")); });
 }
 
@@ -31,7 +31,7 @@ std::vector<std::string> variantNames(const GltfDocument& document) {
         names.push_back(named ? value["name"].get<std::string>() : "");
     };
     const JsonField root(document.path, document.json);
-    root.ifExtension(extensionName, [&](const JsonField& extension) {
+    root.ifExtension(variantsExtension, [&](const JsonField& extension) {
         if (!extension.value().is_object()) return;
         extension.ifPresent("variants", [&](const JsonField& variants) {
             if (variants.value().is_array()) variants.forEachItem(add);

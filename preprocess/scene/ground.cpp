@@ -10,7 +10,7 @@ namespace {
 
 constexpr int segments = 96;
 constexpr double inner = 2.0, outer = 6.0; // radii, in radii of the scene's ball
-constexpr double below = 2e-4;             // as a share of the ball's radius: surfaces at y = low
+constexpr double sunk = 2e-4;              // as a share of the ball's radius: surfaces at y = low
                                            // stay above the ground
 
 constexpr double lowest = 0.1;  // share of the height
@@ -52,7 +52,7 @@ bool addGround(Scene& scene, const Ground& ground) {
     Batch batch;
     batch.ground = true;
     glm::dvec3 origin = box.center();
-    origin.y = box.low.y - below * radius;
+    origin.y = box.low.y - sunk * radius;
     batch.worldFromBatch = batch.nodeFromBatch = glm::translate(glm::dmat4(1.0), origin);
     Geometry& geometry = batch.geometry.edit();
     geometry.positions.emplace_back(0.0f);

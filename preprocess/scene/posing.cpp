@@ -27,9 +27,9 @@ struct Rows {
     }
 
     void add(const Rows& other, double weight) {
-        const Doubles both = {weight, weight};
+        const Doubles weights = {weight, weight};
         for (std::size_t i = 0; i < lanes.size(); ++i)
-            lanes[i] += both * other.lanes[i];
+            lanes[i] += weights * other.lanes[i];
     }
 
     glm::dmat4 matrix(double scale) const {

@@ -45,7 +45,8 @@ class Walk {
     void read(const std::string& file, const glm::dmat4& above, int nested) {
         const fs::path path = folder_ / file;
         const Bytes bytes = readFile(path, limits_.fileBytes);
-        const Json json = jsonFrom(textOf(bytes), "'" + path.string() + "' is not valid JSON");
+        const Json json =
+            jsonFrom(city::textOf(bytes), "'" + path.string() + "' is not valid JSON");
         const JsonField root(path, json);
         root.requireObject();
         root.member("asset").member("version").oneOf({"1.0", "1.1"});

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* nameOf(bench::Silhouette silhouette) {
+const char* silhouetteName(bench::Silhouette silhouette) {
     return silhouette == bench::Silhouette::all ? "all" : "none";
 }
 
@@ -37,7 +37,7 @@ void addTable(std::ostream& text, const bench::SyntheticReport& report,
             multiplicities.insert(row.multiplicity);
             edges.insert(row.edges);
         }
-    text << fit.layout << ", " << nameOf(fit.silhouette)
+    text << fit.layout << ", " << silhouetteName(fit.silhouette)
          << " silhouette edges; ms by opposite vertices per edge\n"
          << std::setw(8) << "edges";
     for (const int m : multiplicities)
@@ -62,8 +62,8 @@ void addTable(std::ostream& text, const bench::SyntheticReport& report,
 
 std::string syntheticTable(const bench::SyntheticReport& report) {
     std::ostringstream text;
-    text << "Evaluating edges only, minimum of several draws, timed by "
-         << cli::nameOf(report.timing) << ", " << report.device.renderer << "\n";
+    text << "Evaluating edges only, minimum of several draws, timed by " << nameOf(report.timing)
+         << ", " << report.device.renderer << "\n";
     for (const bench::SyntheticFit& fit : report.fits) {
         text << "\n";
         addTable(text, report, fit);
@@ -79,17 +79,17 @@ Json syntheticJson(const bench::SyntheticReport& report, MultiplicityMethod meth
         rows.push_back({{"edges", row.edges},
                         {"multiplicity", row.multiplicity},
                         {"layout", row.layout},
-                        {"silhouette", nameOf(row.silhouette)},
+                        {"silhouette", silhouetteName(row.silhouette)},
                         {"ms", row.ms}});
     for (const bench::SyntheticFit& fit : report.fits) {
-        Json json = {{"layout", fit.layout}, {"silhouette", nameOf(fit.silhouette)}};
+        Json json = {{"layout", fit.layout}, {"silhouette", silhouetteName(fit.silhouette)}};
         json.update(fitJson(fit));
         fits.push_back(std::move(json));
     }
     DrawSettings settings;
     settings.render.multiplicity = method;
     return {{"device", deviceJson(report.device)},
-            {"timing", cli::nameOf(report.timing)},
+            {"timing", nameOf(report.timing)},
             {"settings", {{"multiplicity", settingsJson(settings)["multiplicity"]}}},
             {"rows", rows},
             {"fit", fitJson(report.fits.front())},

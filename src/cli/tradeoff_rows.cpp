@@ -9,9 +9,10 @@
 namespace edgeshade::cli {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 /// The call's scene options except casters, for pasting.
 std::string sceneOptionsOf(const TradeoffOptions& options) {
-    using Json = nlohmann::ordered_json;
     return (options.cutoutsCast ? std::string(" --cast-cutouts") : std::string()) +
            (options.ground ? " --ground '" + textOf(*options.ground) + "'" : "") +
            (options.culls ? std::string(" --cull ") + (*options.culls ? "auto" : "off") : "") +

@@ -7,7 +7,7 @@
 namespace edgeshade {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
+constexpr float floatPi = std::numbers::pi_v<float>;
 
 /// The number's digits in base 2, mirrored behind the point.
 float radicalInverse(std::uint32_t number) {
@@ -23,7 +23,7 @@ float ggxDistribution(float cosine, float roughness) {
     const float alpha = roughness * roughness;
     // 1 + cosine^2 (alpha^2 - 1), without cancellation where both are near 1.
     const float base = (1.0f - cosine) * (1.0f + cosine) + cosine * cosine * alpha * alpha;
-    return alpha * alpha / (pi * base * base);
+    return alpha * alpha / (floatPi * base * base);
 }
 
 SpecularLobe::SpecularLobe(float roughness, int samples) {
@@ -33,7 +33,7 @@ SpecularLobe::SpecularLobe(float roughness, int samples) {
     float sum = 0.0f;
     for (int i = 0; i < samples; ++i) {
         const float share = above * (static_cast<float>(i) + 0.5f) / static_cast<float>(samples);
-        const float angle = 2.0f * pi * radicalInverse(static_cast<std::uint32_t>(i));
+        const float angle = 2.0f * floatPi * radicalInverse(static_cast<std::uint32_t>(i));
         const float halfCosine = std::sqrt((1.0f - share) / (1.0f + (square - 1.0f) * share));
         const float halfSine = std::sqrt(share * square / (1.0f + (square - 1.0f) * share));
         const float cosine = 1.0f - 2.0f * halfSine * halfSine;

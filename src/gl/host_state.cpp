@@ -1,5 +1,6 @@
 #include "src/gl/host_state.hpp"
 
+#include "src/gl/framebuffer_targets.hpp"
 #include "src/gl/objects.hpp"
 
 #include <GLES2/gl2.h>
@@ -9,7 +10,6 @@ namespace {
 
 // Constants of ES 3 that ES 2's header lacks.
 constexpr GLenum vertexArrayBinding = 0x85B5, vertexDivisor = 0x88FE, samplerBinding = 0x8919,
-                 drawFramebuffer = 0x8CA9, readFramebuffer = 0x8CA8,
                  readFramebufferBinding = 0x8CAA, packBuffer = 0x88EB, packBufferBinding = 0x88ED,
                  unpackBuffer = 0x88EC, unpackBufferBinding = 0x88EF;
 constexpr GLenum switches[] = {GL_BLEND,

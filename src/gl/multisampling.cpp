@@ -2,6 +2,7 @@
 
 #include "preprocess/base/error.hpp"
 #include "src/gl/entry_points.hpp"
+#include "src/gl/framebuffer_targets.hpp"
 
 #include <GLES2/gl2.h>
 #include <GLES2/gl2ext.h>
@@ -9,9 +10,7 @@
 namespace edgeshade::gl {
 namespace {
 
-// ES 3.0 and both extensions use the same values.
-constexpr GLenum readFramebuffer = 0x8CA8;
-constexpr GLenum drawFramebuffer = 0x8CA9;
+// ES 3.0 and both extensions use the same value.
 constexpr GLenum largestSamples = 0x8D57;
 
 [[noreturn]] void unavailable(int samples) {

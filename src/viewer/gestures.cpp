@@ -8,10 +8,6 @@ namespace {
 constexpr double closest = 1.0; // least distance of two fingers in pixels, so that nothing is
                                 // divided by 0
 
-glm::dvec2 placeOf(const Pointer& pointer) {
-    return {pointer.x, pointer.y};
-}
-
 } // namespace
 
 void Gestures::down(const Pointer& pointer) {
@@ -23,14 +19,14 @@ std::optional<Motion> Gestures::move(const Pointer& pointer) {
     const auto found = std::find_if(down_.begin(), down_.end(),
                                     [&](const Pointer& p) { return p.id == pointer.id; });
     if (found == down_.end()) return std::nullopt;
-    const glm::dvec2 before = placeOf(*found);
-    const glm::dvec2 after = placeOf(pointer);
+    const glm::dvec2 before = found->place();
+    const glm::dvec2 after = pointer.place();
     found->x = pointer.x;
     found->y = pointer.y;
     if (down_.size() == 1) return Motion{false, before, after, 1.0};
     const auto finger = static_cast<std::size_t>(found - down_.begin());
     if (finger > 1) return std::nullopt;
-    const glm::dvec2 other = placeOf(down_[1 - finger]);
+    const glm::dvec2 other = down_[1 - finger].place();
     return Motion{true, 0.5 * (before + other), 0.5 * (after + other),
                   std::max(closest, glm::distance(after, other)) /
                       std::max(closest, glm::distance(before, other))};

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <glm/glm.hpp>
+
 namespace edgeshade::viewer {
 
 enum class PointerButton { primary, middle, secondary };
@@ -13,6 +15,8 @@ struct Pointer {
     PointerButton button = PointerButton::primary;
     bool shift = false;
     bool control = false;
+
+    glm::dvec2 place() const { return {x, y}; }
 };
 
 /// Actions of keys, whichever keys a platform assigns to them.

@@ -14,10 +14,6 @@ constexpr double zoomANotch = 0.88;
 constexpr double nearestPivot = 1e-5;
 constexpr double farthestPivot = 100.0;
 
-glm::dvec2 placeOf(const Pointer& pointer) {
-    return {pointer.x, pointer.y};
-}
-
 /// The point under the pixel: on a surface, else on the plane through the pivot.
 glm::dvec3 pointAt(const Camera& camera, const glm::dvec2& pixel, const Stage& stage) {
     const PictureView view = stage.viewOf(camera);
@@ -54,7 +50,7 @@ Camera zoomedTowards(const Camera& camera, const glm::dvec2& pixel, double facto
 
 ViewState Interaction::down(const Pointer& pointer, const ViewState& state, const Stage& stage) {
     gestures_.down(pointer);
-    const glm::dvec2 pixel = placeOf(pointer);
+    const glm::dvec2 pixel = pointer.place();
     light_.reset();
     section_.reset();
     ViewState next = state;

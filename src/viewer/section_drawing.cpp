@@ -9,8 +9,8 @@ namespace {
 constexpr OverlayColor face = {80, 170, 235, 150};
 constexpr OverlayColor rim = {20, 60, 100, 235};
 constexpr OverlayColor arrow = {80, 170, 235, 255};
-constexpr OverlayColor outline = {80, 170, 235, 200};
-constexpr OverlayColor outlineEdge = {15, 40, 70, 110}; // on a bright background
+constexpr OverlayColor cutOutline = {80, 170, 235, 200};
+constexpr OverlayColor cutOutlineEdge = {15, 40, 70, 110}; // on a bright background
 
 /// Draws places in the world, if they are in front of the eye.
 class SectionPen {
@@ -79,7 +79,7 @@ OverlayTriangles sectionTriangles(const ViewState& state, const Stage& stage) {
     SectionPen pen(drawing, view, stage.pixelRatio);
     for (const glm::dvec4& plane : state.section->planes) {
         const std::vector<glm::dvec3> corners = planeInBox(plane, stage.bounds);
-        for (const auto& [width, color] : {std::pair(3.0, outlineEdge), {1.5, outline}})
+        for (const auto& [width, color] : {std::pair(3.0, cutOutlineEdge), {1.5, cutOutline}})
             for (std::size_t i = 0; i < corners.size(); ++i)
                 pen.line(corners[i], corners[(i + 1) % corners.size()], width, color);
     }

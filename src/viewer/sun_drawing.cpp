@@ -7,7 +7,7 @@ namespace {
 
 constexpr OverlayColor way = {255, 205, 60, 255};
 constexpr OverlayColor wayEdge = {40, 36, 20, 170};
-constexpr OverlayColor ground = {255, 255, 255, 120};
+constexpr OverlayColor groundLine = {255, 255, 255, 120};
 constexpr OverlayColor groundEdge = {40, 36, 20, 90};
 constexpr OverlayColor needle = {205, 60, 45, 255};
 
@@ -51,7 +51,7 @@ void drawHorizon(SpherePen& pen, double north) {
     for (int i = 0; i < corners; ++i) {
         const double from = 360.0 * i / corners, to = 360.0 * (i + 1) / corners;
         pen.line(at(from, 1.0), at(to, 1.0), 3.0, groundEdge);
-        pen.line(at(from, 1.0), at(to, 1.0), 1.0, ground);
+        pen.line(at(from, 1.0), at(to, 1.0), 1.0, groundLine);
     }
     const glm::dvec3 tip = at(0.0, 1.12);
     for (const double side : {-4.0, 4.0})

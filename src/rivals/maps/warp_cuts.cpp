@@ -7,14 +7,12 @@
 namespace edgeshade {
 namespace {
 
-constexpr int cells = MapWarp::cells;
-
 /// First and last cell of three positions along an axis of the lattice.
 glm::ivec2 cellsBetween(const glm::dvec3& places) {
     const double low = std::min({places.x, places.y, places.z});
     const double high = std::max({places.x, places.y, places.z});
-    return {std::clamp(static_cast<int>(std::floor(low)), 0, cells - 1),
-            std::clamp(static_cast<int>(std::floor(high)), 0, cells - 1)};
+    return {std::clamp(static_cast<int>(std::floor(low)), 0, MapWarp::cells - 1),
+            std::clamp(static_cast<int>(std::floor(high)), 0, MapWarp::cells - 1)};
 }
 
 /// The part of a caster between two lines of the lattice. Corners of `polygon` are barycentric
@@ -41,9 +39,9 @@ Polygon wholeCaster() {
 } // namespace
 
 WarpCuts::WarpCuts(const MapWarp& warp) : warp_(warp) {
-    affines_.reserve(2 * cells * cells);
-    for (int y = 0; y < cells; ++y)
-        for (int x = 0; x < cells; ++x) {
+    affines_.reserve(2 * MapWarp::cells * MapWarp::cells);
+    for (int y = 0; y < MapWarp::cells; ++y)
+        for (int x = 0; x < MapWarp::cells; ++x) {
             const glm::dvec2 low(warp.line(x).x, warp.line(y).y);
             const glm::dvec2 size = glm::dvec2(warp.line(x + 1).x, warp.line(y + 1).y) - low;
             const glm::dvec2 first = warp.node(x, y), last = warp.node(x + 1, y + 1);

@@ -13,7 +13,7 @@ namespace {
 /// terms.
 constexpr double heightRounding = 0x1p-48;
 
-/// Bound of the rounding error of a coordinate of 1 in a FaceFrame.
+/// Bound of the rounding error of a coordinate of 1 in a PointFrame.
 constexpr float faceRounding = 0x1p-20f;
 
 /// Most boxes of a run's groups to test each of its triangles against. With more, a triangle
@@ -55,7 +55,7 @@ double edgeSide(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& p, b
 
 /// The half space normal . rays + offset >= 0 in the frame's own coordinates, with a margin for
 /// rounding.
-HalfSpace inFrame(const FaceFrame& frame, const glm::dvec3& normal, double offset) {
+HalfSpace inFrame(const PointFrame& frame, const glm::dvec3& normal, double offset) {
     const glm::dvec3 own = normal * frame.half;
     const double d = offset + glm::dot(normal, frame.middle);
     const double size = std::abs(own.x) + std::abs(own.y) + std::abs(own.z) + std::abs(d);
@@ -83,7 +83,7 @@ constexpr CasterBox everything{-CasterBox::infinity, CasterBox::infinity, -Caste
                                CasterBox::infinity, CasterBox::infinity};
 
 /// The frame of a face with points in these bounds.
-FaceFrame frameOf(const Box& extent) {
+PointFrame frameOf(const Box& extent) {
     constexpr double least = 1e-300; // its inverse is finite
     return {0.5 * (extent.low + extent.high),
             glm::max(0.5 * (extent.high - extent.low), glm::dvec3(least))};
@@ -206,7 +206,7 @@ void IrregularZBuffer::addPoints(const PixelRectangle& within, Threads threads) 
                 extents[part][face].add(rays);
             });
         });
-        std::vector<FaceFrame> frames;
+        std::vector<PointFrame> frames;
         for (std::size_t face = 0; face < faces_.size(); ++face) {
             Box all;
             for (const auto& of : extents)
@@ -217,7 +217,7 @@ void IrregularZBuffer::addPoints(const PixelRectangle& within, Threads threads) 
     };
     std::vector<std::vector<std::vector<FacePoint>>> points; // by face and part
     // Returns false if some points are too far outside for floats.
-    const auto put = [&](const std::vector<FaceFrame>& frames) {
+    const auto put = [&](const std::vector<PointFrame>& frames) {
         points.assign(faces_.size(), std::vector<std::vector<FacePoint>>(parts.size()));
         std::atomic<bool> within2 = true;
         forEachPart(parts, [&](std::size_t part, const ItemRange& range) {
@@ -234,7 +234,7 @@ void IrregularZBuffer::addPoints(const PixelRectangle& within, Threads threads) 
         return within2.load();
     };
     // A sample of points shows where most of them are.
-    std::vector<FaceFrame> frames = framesOf(4);
+    std::vector<PointFrame> frames = framesOf(4);
     if (!put(frames)) {
         frames = framesOf(1);
         put(frames);
@@ -285,7 +285,7 @@ bool IrregularZBuffer::gatherFor(const Box& bounds, const glm::dmat4& lightFromB
         const double highest = space_.directional()    ? -extent.nearest
                                : extent.nearest > 0.0f ? 1.0 / extent.nearest
                                                        : std::numeric_limits<double>::infinity();
-        const FaceFrame& frame = faces_[face].frame();
+        const PointFrame& frame = faces_[face].frame();
         const glm::vec3 low(frame.of(glm::dvec3(extent.low, highest)));
         const glm::vec3 high(frame.of(glm::dvec3(extent.high, highest)));
         faces_[face].gather(boxAround({low, high, high}), nullptr, groups);
@@ -376,7 +376,7 @@ IrregularZBuffer::Corners IrregularZBuffer::cornersOf(const Triangle& triangle) 
 }
 
 CasterPlanes IrregularZBuffer::planesOn(std::size_t face, const Corners& corners) const {
-    const FaceFrame& frame = faces_[face].frame();
+    const PointFrame& frame = faces_[face].frame();
     CasterPlanes planes;
     // No point is behind a plane that the light is in.
     if (corners.behind == 0.0) return {HalfSpace{0.0f, 0.0f, 0.0f, -1.0f}};

@@ -161,7 +161,7 @@ glm::vec3 PointTree::Leaf::high() const {
     return {mostOf(u), mostOf(v), mostOf(height)};
 }
 
-void PointTree::build(const FaceFrame& frame, std::span<const std::vector<FacePoint>> parts,
+void PointTree::build(const PointFrame& frame, std::span<const std::vector<FacePoint>> parts,
                       Threads threads) {
     frame_ = frame;
     levels_.clear();

@@ -17,7 +17,7 @@ namespace edgeshade {
 
 /// The part of a light's face that a PointTree's own coordinates, mostly -1 to 1, represent: rays
 /// (u, v) and heights towards the light.
-struct FaceFrame {
+struct PointFrame {
     glm::dvec3 middle{0.0};
     glm::dvec3 half{1.0}; ///< from there to a coordinate of 1
     glm::dvec3 scale = 1.0 / half;
@@ -35,13 +35,13 @@ struct Pixel {
     auto operator<=>(const Pixel&) const = default;
 };
 
-/// A visible point, in a FaceFrame.
+/// A visible point, in a PointFrame.
 struct FacePoint {
     glm::vec3 at{0.0f}; ///< u, v and height
     Pixel pixel;
 };
 
-/// Bounds of a caster in a FaceFrame: its rays, and its greatest height. Points that it may shade
+/// Bounds of a caster in a PointFrame: its rays, and its greatest height. Points that it may shade
 /// are within these rays, and no higher.
 struct CasterBox {
     static constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -64,7 +64,7 @@ struct HalfSpace {
 /// A triangle's edges as seen by the light, positive inside, and the half space behind its plane.
 using CasterPlanes = std::array<HalfSpace, 4>;
 
-/// Eight boxes in a FaceFrame.
+/// Eight boxes in a PointFrame.
 struct PointBoxes {
     static constexpr std::size_t count = 8, parts = count / laneCount;
     std::array<Lanes, parts> u0, u1, v0, v1, h0, h1;
@@ -87,10 +87,10 @@ class PointTree {
     static constexpr std::size_t leafSize = 16;
 
     /// Replaces the tree. `parts`: the points, as found by several threads; at least one part.
-    void build(const FaceFrame& frame, std::span<const std::vector<FacePoint>> parts,
+    void build(const PointFrame& frame, std::span<const std::vector<FacePoint>> parts,
                Threads threads = {});
 
-    const FaceFrame& frame() const { return frame_; }
+    const PointFrame& frame() const { return frame_; }
     bool empty() const { return levels_.empty(); }
 
     /// Groups of leaves, with the boxes around them.
@@ -174,7 +174,7 @@ class PointTree {
         if ((before | found) == all && before != all) settle(leaf);
     }
 
-    FaceFrame frame_;
+    PointFrame frame_;
     std::vector<Leaf> leaves_;
     std::vector<std::atomic<std::uint16_t>> found_; ///< by leaf, one bit for each point
     std::vector<Level> levels_;                     ///< leaves' boxes come first

@@ -13,7 +13,7 @@ namespace {
 // Depths of grids: a face's first one, and those of crowded cells.
 constexpr int coarsest = 4, finest = 6, leastFiner = 1, mostFiner = 3;
 constexpr std::size_t segmentsPerCell = 16; ///< in a grid with the right depth
-constexpr int deepest = 14;                 ///< most halvings of a face's filled part
+constexpr int mostHalvings = 14;            ///< most halvings of a face's filled part
 
 // Segments and polygons in crowded cells, from which on dividing costs more than bounding by
 // triangles does.
@@ -159,7 +159,7 @@ bool FaceBound::holds(const Part& part, int depth) {
                 crowded.push_back({row, column});
         }
     if (crowded.empty()) return true;
-    if (part.halvings + depth >= deepest) return false;
+    if (part.halvings + depth >= mostHalvings) return false;
 
     const CrowdedPlaces places(crowded, side);
     for (std::size_t i = 0; i < part.segments.size(); ++i) {
