@@ -2,6 +2,7 @@
 // allocations.
 #include "src/bench/flythrough.hpp"
 #include "src/shadow/plan/frame_plan.hpp"
+#include "src/shadow/view/kept_layers.hpp"
 #include "tests/support/generated_meshes.hpp"
 #include "tests/support/placed_shadows.hpp"
 #include "tests/support/scene_builder.hpp"
@@ -170,6 +171,57 @@ TEST(PlanMemory, FramesOfAMovingLightTakeNothingFromTheHeapAfterTheThird) {
                 }
             }
     }
+}
+
+/// The number of allocations of bounds of layers, lights one after the other.
+std::size_t allocationsOfBounds(LayerSearch& search, const LayerCasters& casters,
+                                const std::vector<Light>& lights, std::size_t limit,
+                                const Box& receivers) {
+    const std::size_t before = allocations;
+    for (const Light& light : lights)
+        search.bySilhouettes(casters, light, limit, receivers);
+    return allocations - before;
+}
+
+TEST(PlanMemory, BoundsOfLayersOnAKnownWayTakeNothingFromTheHeap) {
+    for (const Scene& scene : {hills(4000), grove()}) {
+        const Box bounds = worldBounds(scene);
+        const auto records = buildPlanePairs(scene, false);
+        const glm::dvec3 above =
+            bounds.center() + 0.8 * bounds.diagonal() * glm::dvec3(0.3, 1, 0.2);
+        for (const Light& first : {Light{{0.9, 0.3, 0.3, 0.0}}, Light{glm::dvec4(above, 1.0)},
+                                   Light{glm::dvec4(bounds.center(), 1.0)}})
+            for (const std::size_t limit : {255, 4}) { // the lower one needs finer grids
+                std::vector<Light> way;
+                for (int place = 0; place < 32; ++place)
+                    way.push_back(bench::movedLights({first}, bounds, 3.0, place / 32.0).front());
+                LayerSearch search;
+                const LayerCasters casters{scene, records};
+                EXPECT_GT(allocationsOfBounds(search, casters, way, limit, bounds), 0u);
+                EXPECT_EQ(allocationsOfBounds(search, casters, way, limit, bounds), 0u) << limit;
+            }
+    }
+}
+
+TEST(PlanMemory, KeptBoundsOfAMovingSunTakeNothingFromTheHeap) {
+    const Scene scene = hills(4000);
+    const Box bounds = worldBounds(scene);
+    const auto records = buildPlanePairs(scene, false);
+    KeptLayers layers;
+    std::vector<FrameLight> lights(1);
+    const auto lap = [&] {
+        std::size_t taken = 0;
+        for (int place = 0; place < 32; ++place) {
+            const double turn = 0.01 * place;
+            lights[0].light = Light{{std::cos(turn), 0.4, std::sin(turn), 0.0}};
+            const std::size_t before = allocations;
+            layers.fill({scene, records}, lights, bounds);
+            taken += allocations - before;
+        }
+        return taken;
+    };
+    EXPECT_GT(lap(), 0u);
+    EXPECT_EQ(lap(), 0u);
 }
 
 } // namespace

@@ -8,6 +8,12 @@
 namespace edgeshade {
 namespace {
 
+std::vector<glm::dvec4> planesBetween(const glm::dvec4& light, const Box& box) {
+    std::vector<glm::dvec4> planes;
+    findPlanesBetween(light, box, planes);
+    return planes;
+}
+
 using test::Random;
 
 Box boxAt(const glm::dvec3& center, const glm::dvec3& half) {

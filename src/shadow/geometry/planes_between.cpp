@@ -44,12 +44,11 @@ void addThroughLight(const glm::dvec4& light, const Box& box, std::vector<glm::d
 
 } // namespace
 
-std::vector<glm::dvec4> planesBetween(const glm::dvec4& light, const Box& box) {
-    std::vector<glm::dvec4> planes;
-    if (box.empty()) return planes;
+void findPlanesBetween(const glm::dvec4& light, const Box& box, std::vector<glm::dvec4>& planes) {
+    planes.clear();
+    if (box.empty()) return;
     addAlongAxes(light, box, planes);
     addThroughLight(light, box, planes);
-    return planes;
 }
 
 } // namespace edgeshade

@@ -191,12 +191,11 @@ void CasterChain::look(const LightInBatch& light, const CasterReach& reach, Foll
     }
 }
 
-std::vector<std::uint32_t> CasterChain::capsAlong(const LightInBatch& light,
-                                                  const glm::dvec3& direction,
-                                                  const CasterReach& reach) const {
+void CasterChain::findCapsAlong(const LightInBatch& light, const glm::dvec3& direction,
+                                const CasterReach& reach, std::vector<std::uint32_t>& caps) const {
+    caps.clear();
     const BoxRay ray(glm::dvec3(light.place), direction,
                      rayRoom * (light.length() + size()) + light.rounding);
-    std::vector<std::uint32_t> caps;
     for (const ShadowCluster& cluster : shadow_->clusters) {
         if (!reach.mayHold(cluster.bounds, light) || !ray.mayMeet(cluster.bounds)) continue;
         for (std::uint32_t leaf = 0; leaf < cluster.leaves.count; ++leaf) {
@@ -207,7 +206,6 @@ std::vector<std::uint32_t> CasterChain::capsAlong(const LightInBatch& light,
                 caps.push_back(cap);
         }
     }
-    return caps;
 }
 
 } // namespace edgeshade

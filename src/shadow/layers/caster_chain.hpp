@@ -66,10 +66,10 @@ class CasterChain {
     void look(const LightInBatch& light, const CasterReach& reach, FollowedChain& followed,
               SeenCasters& seen) const;
 
-    /// All caps within reach that a ray from a point light may meet, and neighbours of these.
-    /// `direction`: in the batch's space.
-    std::vector<std::uint32_t> capsAlong(const LightInBatch& light, const glm::dvec3& direction,
-                                         const CasterReach& reach) const;
+    /// Fills `caps` with all within reach that a ray from a point light may meet, and neighbours of
+    /// these. `direction`: in the batch's space.
+    void findCapsAlong(const LightInBatch& light, const glm::dvec3& direction,
+                       const CasterReach& reach, std::vector<std::uint32_t>& caps) const;
 
     const PlanePairShadow& shadow() const { return *shadow_; }
     /// Around all casters.

@@ -1,11 +1,7 @@
 #include "src/shadow/layers/face_bound.hpp"
 
-#include "src/shadow/layers/touch_grid.hpp"
-#include "src/shadow/layers/winding_grid.hpp"
-
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace edgeshade {
 namespace {
@@ -36,72 +32,6 @@ int depthFor(std::size_t segments, int least, int most) {
     return depth;
 }
 
-/// A cell that may count more than the limit, and all that may touch it.
-struct Crowded {
-    int row, column;
-    std::vector<FaceSegment> segments{};
-    std::vector<FacePolygon> uncertain{};
-};
-
-/// Finds the crowded cells of a grid by their places.
-class CrowdedPlaces {
-  public:
-    CrowdedPlaces(std::vector<Crowded>& cells, int side)
-        : cells_(cells), side_(side), at_(static_cast<std::size_t>(side * side), -1),
-          before_(static_cast<std::size_t>((side + 1) * (side + 1)), 0),
-          inSquare_(static_cast<std::size_t>(side * side + 1), 0) {
-        inSquare_.back() = 1;
-        for (std::size_t i = 0; i < cells.size(); ++i) {
-            const auto [row, column] = std::pair(cells[i].row, cells[i].column);
-            at_[static_cast<std::size_t>(row * side + column)] = static_cast<int>(i);
-            for (int r = std::max(row - 1, 0); r <= row; ++r)
-                for (int c = std::max(column - 1, 0); c <= column; ++c)
-                    inSquare_[static_cast<std::size_t>(r * side + c)] = 1;
-        }
-        for (int row = 0; row < side; ++row)
-            for (int column = 0; column < side; ++column)
-                before_[corner(row + 1, column + 1)] =
-                    before_[corner(row, column + 1)] + before_[corner(row + 1, column)] -
-                    before_[corner(row, column)] +
-                    (at_[static_cast<std::size_t>(row * side + column)] >= 0 ? 1 : 0);
-    }
-
-    bool anyAmong(const WindingGrid::Cells& cells) const {
-        return before_[corner(cells.top + 1, cells.right + 1)] -
-                   before_[corner(cells.bottom, cells.right + 1)] -
-                   before_[corner(cells.top + 1, cells.left)] +
-                   before_[corner(cells.bottom, cells.left)] >
-               0;
-    }
-
-    /// Whether any are in a square as of WindingGrid::add(). Elsewhere some may be.
-    bool anyInSquare(int cell) const { return inSquare_[static_cast<std::size_t>(cell)] != 0; }
-
-    /// The crowded cell with an index, row * side + column; null if that cell isn't crowded.
-    Crowded* at(int index) const {
-        const int crowded = at_[static_cast<std::size_t>(index)];
-        return crowded < 0 ? nullptr : &cells_[static_cast<std::size_t>(crowded)];
-    }
-
-    /// Calls use(cell) with the crowded cells among [left, right] of a row.
-    template <class Use>
-    void forEach(int row, int left, int right, Use use) const {
-        for (int column = left; column <= right; ++column)
-            if (Crowded* const cell = at(row * side_ + column)) use(*cell);
-    }
-
-  private:
-    std::size_t corner(int row, int column) const {
-        return static_cast<std::size_t>(row * (side_ + 1) + column);
-    }
-
-    std::vector<Crowded>& cells_;
-    int side_;
-    std::vector<int> at_;     ///< index in cells_; -1: not crowded
-    std::vector<int> before_; ///< by corner: number of crowded cells below and to the left of it
-    std::vector<std::uint8_t> inSquare_; ///< by cell: whether the square from it has crowded cells
-};
-
 } // namespace
 
 Outline filledPart(const FaceChain& face, const LightView& view) {
@@ -121,6 +51,11 @@ Outline filledPart(const FaceChain& face, const LightView& view) {
     return part;
 }
 
+void FaceBound::begin(std::size_t limit) {
+    limit_ = static_cast<int>(limit);
+    most_ = 0;
+}
+
 bool FaceBound::holds(const FaceChain& face, const Outline& part, int start) {
     start += face.everywhere;
     if (start > limit_ || !std::isfinite(face.error)) return false;
@@ -129,72 +64,78 @@ bool FaceBound::holds(const FaceChain& face, const Outline& part, int start) {
     error_ = face.error;
     workLeft_ = leastWork + workPerSegment * face.segments.size();
     return holds({part, 0, face.segments, face.uncertain, start},
-                 depthFor(face.segments.size(), coarsest, finest));
+                 depthFor(face.segments.size(), coarsest, finest), 0);
 }
 
-bool FaceBound::holds(const Part& part, int depth) {
-    WindingGrid grid(part.outline, depth, error_);
-    std::vector<int> placeOf; // by segment
-    grid.add(part.segments, placeOf);
+bool FaceBound::holds(const Part& part, int depth, std::size_t nesting) {
+    if (levels_.size() == nesting) levels_.emplace_back();
+    Level& level = levels_[nesting];
+    WindingGrid& grid = level.grid;
+    grid.begin(part.outline, depth, error_);
+    grid.add(part.segments, level.placeOf);
     grid.sum(part.start);
-    std::optional<TouchGrid> touched;
-    if (!part.uncertain.empty()) {
-        touched.emplace(part.outline, depth);
+    const bool touches = !part.uncertain.empty();
+    if (touches) {
+        level.touched.begin(part.outline, depth);
         for (const FacePolygon& polygon : part.uncertain)
-            touched->add(polygon.all());
-        touched->sum();
+            level.touched.add(polygon.all());
+        level.touched.sum();
     }
 
     const int side = grid.side();
-    std::vector<Crowded> crowded;
+    CrowdedParts& crowded = level.crowded;
+    crowded.begin(side);
     for (int row = 0; row < side; ++row)
         for (int column = 0; column < side; ++column) {
             const int bound = grid.bound(row, column) +
-                              (touched ? static_cast<int>(touched->count(row, column)) : 0);
+                              (touches ? static_cast<int>(level.touched.count(row, column)) : 0);
             if (bound <= limit_)
                 most_ = std::max(most_, bound);
             else if (grid.corner(row, column) > limit_)
                 return false; // finer grids would have the same corner
             else
-                crowded.push_back({row, column});
+                crowded.add(row, column);
         }
-    if (crowded.empty()) return true;
+    if (crowded.cells().empty()) return true;
     if (part.halvings + depth >= mostHalvings) return false;
 
-    const CrowdedPlaces places(crowded, side);
+    crowded.place();
     for (std::size_t i = 0; i < part.segments.size(); ++i) {
-        const auto put = [&](int row, int left, int right) {
-            places.forEach(row, left, right,
-                           [&](Crowded& cell) { cell.segments.push_back(part.segments[i]); });
-        };
+        const FaceSegment& segment = part.segments[i];
         // One test that is nearly always false, whatever the place.
-        const int place = placeOf[i];
-        if (!places.anyInSquare(place >= 0 ? place : WindingGrid::inSquare(place))) continue;
+        const int place = level.placeOf[i];
+        if (!crowded.anyInSquare(place >= 0 ? place : WindingGrid::inSquare(place))) continue;
         if (place >= 0) {
-            if (Crowded* const cell = places.at(place)) cell->segments.push_back(part.segments[i]);
+            crowded.put(place, segment);
             continue;
         }
         if (place == grid.elsewhere()) {
-            const auto around = grid.cellsAround(part.segments[i]);
-            if (!around || !places.anyAmong(*around)) continue;
+            const auto around = grid.cellsAround(segment);
+            if (!around || !crowded.anyAmong(*around)) continue;
         }
-        grid.forEachSpan(part.segments[i], put);
+        grid.forEachSpan(
+            segment, [&](int row, int left, int right) { crowded.put(row, left, right, segment); });
     }
     for (const FacePolygon& polygon : part.uncertain)
-        touched->forEachSpan(polygon.all(), [&](int row, int left, int right) {
-            places.forEach(row, left, right,
-                           [&](Crowded& cell) { cell.uncertain.push_back(polygon); });
+        level.touched.forEachSpan(polygon.all(), [&](int row, int left, int right) {
+            crowded.put(row, left, right, polygon);
         });
-    for (const Crowded& cell : crowded) {
-        const std::size_t work = cell.segments.size() + cell.uncertain.size();
+    crowded.sort();
+    const std::vector<CrowdedParts::Cell>& cells = crowded.cells();
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const std::size_t work = crowded.segmentsOf(i).size() + crowded.uncertainOf(i).size();
         if (work > workLeft_) return false;
         workLeft_ -= work;
     }
-    return std::all_of(crowded.begin(), crowded.end(), [&](const Crowded& cell) {
-        return holds({grid.cell(cell.row, cell.column), part.halvings + depth, cell.segments,
-                      cell.uncertain, grid.corner(cell.row, cell.column)},
-                     depthFor(cell.segments.size(), leastFiner, mostFiner));
-    });
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const auto [row, column] = cells[i];
+        const std::span<const FaceSegment> segments = crowded.segmentsOf(i);
+        const Part cell{grid.cell(row, column), part.halvings + depth, segments,
+                        crowded.uncertainOf(i), grid.corner(row, column)};
+        if (!holds(cell, depthFor(segments.size(), leastFiner, mostFiner), nesting + 1))
+            return false;
+    }
+    return true;
 }
 
 } // namespace edgeshade

@@ -1,9 +1,12 @@
 #pragma once
 
-#include "src/shadow/layers/face_chain.hpp"
+#include "src/shadow/layers/crowded_parts.hpp"
+#include "src/shadow/layers/touch_grid.hpp"
 
 #include <cstddef>
+#include <deque>
 #include <span>
+#include <vector>
 
 namespace edgeshade {
 
@@ -13,10 +16,14 @@ namespace edgeshade {
 Outline filledPart(const FaceChain& face, const LightView& view);
 
 /// Bounds how many triangles the lines through a light's faces meet, face by face: in a grid, and
-/// in finer grids within the cells where that is too coarse (docs/method.md, C48).
+/// in finer grids within the cells where that is too coarse (docs/method.md, C48). It keeps its
+/// memory for the next light.
 class FaceBound {
   public:
-    explicit FaceBound(std::size_t limit) : limit_(static_cast<int>(limit)) {}
+    explicit FaceBound(std::size_t limit = 0) { begin(limit); }
+
+    /// Starts with a light's first face.
+    void begin(std::size_t limit);
 
     /// Whether no line through the face meets more than `limit` triangles; false also if that
     /// couldn't be shown. `part`: its filledPart(). `start`: an upper bound of the number of
@@ -36,11 +43,19 @@ class FaceBound {
         std::span<const FacePolygon> uncertain;
         int start;
     };
-    bool holds(const Part& part, int depth);
+    /// Memory for the parts of one nesting.
+    struct Level {
+        WindingGrid grid;
+        TouchGrid touched;
+        std::vector<int> placeOf; ///< by segment
+        CrowdedParts crowded;
+    };
+    bool holds(const Part& part, int depth, std::size_t nesting);
 
-    int limit_, most_ = 0;
+    int limit_ = 0, most_ = 0;
     double error_ = 0.0;       ///< as of FaceChain
     std::size_t workLeft_ = 0; ///< segments and polygons that may still be put into crowded cells
+    std::deque<Level> levels_; ///< by nesting; stay where they are
 };
 
 } // namespace edgeshade

@@ -1,11 +1,13 @@
 #pragma once
 
-#include "src/shadow/layers/face_chain.hpp"
+#include "src/shadow/layers/face_bound.hpp"
 #include "src/shadow/layers/layer_bound.hpp"
 #include "src/shadow/layers/layer_casters.hpp"
 
 #include <map>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace edgeshade {
 
@@ -40,13 +42,34 @@ class LayerSearch {
         const CasterChain* chain = nullptr; ///< in chains_
         FollowedChain of{};
     };
+    /// A batch that a light may see.
+    struct LitBatch {
+        const CasterChain* chain = nullptr;
+        FollowedChain* followed = nullptr;
+        LightInBatch light{};
+        CasterReach reach{};
+        RaysOfBatch rays{};
+        glm::dmat3 batchFromWorld{1.0}; ///< of directions
+    };
+    /// In lit_, until the next call.
+    std::span<LitBatch> findLit(const LightView& view, const LayerCasters& casters,
+                                const Light& light, const Box& receivers);
+    /// Lets the rays of a directional light enter the frame around all that it sees.
+    static void enterFrame(std::span<LitBatch> batches, FaceChain& face);
+    /// At most how many certain triangles a ray from a point light meets; no fewer than on any ray
+    /// that is next to it.
+    int countAlong(const glm::dvec3& direction, std::span<const LitBatch> batches);
     const CasterChain& chainOf(const std::shared_ptr<const PlanePairShadow>& records);
 
     std::map<const PlanePairShadow*, Kept> chains_;
     std::vector<Followed> followed_; ///< by batch
     // Memory that searches reuse.
+    std::vector<glm::dvec4> planes_; ///< findPlanesBetween()
+    std::vector<LitBatch> lit_;
     SeenCasters seen_;
     std::vector<FaceChain> faces_;
+    std::vector<std::uint32_t> caps_; ///< along a ray
+    FaceBound bound_;
 };
 
 } // namespace edgeshade

@@ -19,6 +19,7 @@ struct FaceFrame {
 
 /// The affine map from a batch's space to LightView's rays.
 struct RaysOfBatch {
+    RaysOfBatch() = default;
     RaysOfBatch(const LightView& view, const glm::dmat4& worldFromBatch, double size);
 
     /// Always the same doubles for the same point: the edges of a vertex meet there.
@@ -28,10 +29,10 @@ struct RaysOfBatch {
     /// Maps into a frame of a directional light's face from now on.
     void enter(const FaceFrame& frame);
 
-    glm::dmat3 linear;
-    glm::dvec3 offset;
-    double rounding; ///< of each component, for points with coordinates up to `size`
-    bool mirrors;    ///< the batch's transform reverses winding
+    glm::dmat3 linear{1.0};
+    glm::dvec3 offset{0.0};
+    double rounding = 0.0; ///< of each component, for points with coordinates up to `size`
+    bool mirrors = false;  ///< the batch's transform reverses winding
 };
 
 } // namespace edgeshade

@@ -8,10 +8,11 @@ constexpr double levelEdge = 1e-6; // cells: an edge that rises by less has no r
 
 } // namespace
 
-TouchGrid::TouchGrid(const Outline& part, int depth)
-    : side_(1 << depth), low_(part.u0, part.v0),
-      perUnit_(side_ / (part.u1 - part.u0), side_ / (part.v1 - part.v0)),
-      counts_(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_ + 1), 0) {
+void TouchGrid::begin(const Outline& part, int depth) {
+    side_ = 1 << depth;
+    low_ = {part.u0, part.v0};
+    perUnit_ = {side_ / (part.u1 - part.u0), side_ / (part.v1 - part.v0)};
+    counts_.assign(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_ + 1), 0);
     const double size = 1.0 + std::max(std::abs(part.u0), std::abs(part.u1)) +
                         std::max(std::abs(part.v0), std::abs(part.v1));
     rounding_ = placing * size * std::max(perUnit_.x, perUnit_.y);

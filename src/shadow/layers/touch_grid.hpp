@@ -18,8 +18,12 @@ namespace edgeshade {
 /// rightmost point. Call add() for all polygons, then sum().
 class TouchGrid {
   public:
-    /// Divides the rectangle, which must have an area, in 2^depth x 2^depth cells.
-    TouchGrid(const Outline& part, int depth);
+    TouchGrid() = default;
+    TouchGrid(const Outline& part, int depth) { begin(part, depth); }
+
+    /// Divides the rectangle, which must have an area, in 2^depth x 2^depth empty cells. Keeps its
+    /// memory.
+    void begin(const Outline& part, int depth);
 
     /// Calls visit(row, first column, last column) for all cells that a convex polygon may touch.
     template <class Visit>
@@ -83,9 +87,9 @@ class TouchGrid {
         return static_cast<int>(std::clamp(cells, 0.0, static_cast<double>(side_ - 1)));
     }
 
-    int side_;
-    glm::dvec2 low_, perUnit_; ///< its first corner, and cells per unit
-    double rounding_;          ///< of coordinates, in cells
+    int side_ = 1;
+    glm::dvec2 low_{0.0}, perUnit_{1.0}; ///< its first corner, and cells per unit
+    double rounding_ = 0.0;              ///< of coordinates, in cells
     std::vector<std::int32_t> counts_;
 };
 

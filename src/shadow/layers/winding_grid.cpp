@@ -48,11 +48,15 @@ class Growth {
 
 } // namespace
 
-WindingGrid::WindingGrid(const Outline& part, int depth, double error)
-    : depth_(depth), side_(1 << depth), low_(part.u0, part.v0),
-      perUnit_(side_ / (part.u1 - part.u0), side_ / (part.v1 - part.v0)),
-      border_(static_cast<std::size_t>(side_), 0),
-      cells_(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_) + 2 * side_ + 2) {
+void WindingGrid::begin(const Outline& part, int depth, double error) {
+    depth_ = depth;
+    side_ = 1 << depth;
+    low_ = {part.u0, part.v0};
+    perUnit_ = {side_ / (part.u1 - part.u0), side_ / (part.v1 - part.v0)};
+    atStart_ = 0;
+    const auto side = static_cast<std::size_t>(side_);
+    border_.assign(side, 0);
+    cells_.assign(side * side + 2 * side + 2, {});
     const double size = 1.0 + std::max({std::abs(part.u0), std::abs(part.u1), std::abs(part.v0),
                                         std::abs(part.v1)});
     const double perUnit = std::max(side_ / (part.u1 - part.u0), side_ / (part.v1 - part.v0));

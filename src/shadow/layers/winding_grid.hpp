@@ -18,9 +18,12 @@ namespace edgeshade {
 /// segments that touch the rectangle, then sum(). It computes in floats, four segments at once.
 class WindingGrid {
   public:
-    /// Divides the rectangle, which must have an area, in 2^depth x 2^depth cells. `error`: as of
-    /// FaceChain.
-    WindingGrid(const Outline& part, int depth, double error);
+    WindingGrid() = default;
+    WindingGrid(const Outline& part, int depth, double error) { begin(part, depth, error); }
+
+    /// Divides the rectangle, which must have an area, in 2^depth x 2^depth empty cells. `error`:
+    /// as of FaceChain. Keeps its memory.
+    void begin(const Outline& part, int depth, double error);
 
     /// Sets `places`, one per segment: the index, row * side() + column, of the only cell that it
     /// may touch; or inSquare(cell), if that is true of a cell with the next ones to the right,
@@ -113,10 +116,10 @@ class WindingGrid {
     /// Cells: a segment that rises by less has no reliable slope.
     static constexpr float levelSegment = 0x1p-14f;
 
-    int depth_, side_;
-    glm::vec2 low_, perUnit_; ///< its first corner, and cells per unit
-    float rounding_;          ///< distance from a segment to its exact place, in cells
-    int atStart_ = 0;         ///< weights of segments next to the first corner
+    int depth_ = 0, side_ = 1;
+    glm::vec2 low_{0.0f}, perUnit_{1.0f}; ///< its first corner, and cells per unit
+    float rounding_ = 0.0f;               ///< distance from a segment to its exact place, in cells
+    int atStart_ = 0;                     ///< weights of segments next to the first corner
     /// By row: how much larger the count to the left of the rectangle is than in the row below.
     std::vector<int> border_;
     std::vector<Cell> cells_;           ///< row by row

@@ -3,7 +3,7 @@
 #include "src/shadow/lights/face_outline.hpp"
 #include "src/shadow/lights/light.hpp"
 
-#include <vector>
+#include <span>
 
 namespace edgeshade {
 
@@ -27,7 +27,7 @@ struct LightView {
     glm::dvec3 position; ///< of a point light
     double range;        ///< of a point light; casters beyond it shade nothing that it reaches
     glm::dvec3 across{0.0}, upward{0.0};
-    std::vector<glm::dmat3> faces;
+    std::span<const glm::dmat3> faces; ///< one, or six; of tables that stay
 };
 
 } // namespace edgeshade

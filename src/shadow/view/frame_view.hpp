@@ -8,6 +8,7 @@
 #include "src/shadow/view/visible_depth.hpp"
 
 #include <optional>
+#include <span>
 
 namespace edgeshade {
 
@@ -66,7 +67,9 @@ struct FrameLight {
     bool shadowed = true; ///< otherwise casters don't block it, see keepShadowed()
 
     /// The lights whose shadows are counted.
-    std::vector<Light> counted() const { return points.empty() ? std::vector{light} : points; }
+    std::span<const Light> counted() const {
+        return points.empty() ? std::span(&light, 1) : std::span(points);
+    }
     /// Number of groups of casters that it needs.
     std::size_t groupCount() const { return (cut ? 2 : 1) * layers.groupCount; }
     /// Makes it as new, and keeps its memory.

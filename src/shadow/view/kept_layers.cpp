@@ -11,7 +11,7 @@ bool KeptLayers::Kept::holdsFor(const Box& visible) const {
 
 bool KeptLayers::fill(const LayerCasters& casters, std::vector<FrameLight>& lights,
                       const Box& visible) {
-    std::vector<Kept> kept;
+    next_.clear();
     bool anyNew = false;
     for (FrameLight& of : lights) {
         if (!of.shadowed || of.animatedAlone) continue;
@@ -23,16 +23,16 @@ bool KeptLayers::fill(const LayerCasters& casters, std::vector<FrameLight>& ligh
         if (!of.drawn && !rests) continue; // not needed until it is drawn
         if (rests && found->holdsFor(visible)) {
             of.layers = found->layers;
-            kept.push_back(*found);
+            next_.push_back(*found);
             continue;
         }
         anyNew = true;
         const Box receivers = rests ? Box() : visible;
         of.layers = search_.bound(casters, of.counted(), stencilLimit, receivers);
-        kept.push_back({of.light.position, of.light.range, of.light.extent, of.points.size(),
-                        receivers, of.layers});
+        next_.push_back({of.light.position, of.light.range, of.light.extent, of.points.size(),
+                         receivers, of.layers});
     }
-    kept_ = std::move(kept);
+    kept_.swap(next_);
     return anyNew;
 }
 

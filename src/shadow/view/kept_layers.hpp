@@ -30,7 +30,7 @@ class KeptLayers {
         bool holdsFor(const Box& visible) const;
     };
 
-    std::vector<Kept> kept_;
+    std::vector<Kept> kept_, next_; ///< fill() makes `next_`, in the memory of the call before
     LayerSearch search_;
 };
 
