@@ -335,12 +335,15 @@ CasterScene::Buffers CasterScene::buffersOf(const PreparedMesh::Data& mesh) cons
 void CasterScene::upload(const PreparedMesh& mesh) {
     std::erase_if(ahead_, [](const auto& entry) { return entry.second.mesh.expired(); });
     if (ahead_.contains(mesh.data()->shadow.get())) return;
-    ahead_[mesh.data()->shadow.get()] = {mesh.data(), buffersOf(*mesh.data())};
+    ahead_[mesh.data()->shadow.get()] = {
+        mesh.data(), buffersOf(*mesh.data()),
+        CopyOnWrite(TriangleTree(*mesh.data()->geometry, loaded_.scene.materials))};
 }
 
 void CasterScene::upload() {
     if (std::all_of(slots_.begin(), slots_.end(), [](const Slot& of) { return of.uploaded; }))
         return;
+    tree(); // while trees that were made ahead are there
     std::map<const PlanePairShadow*, std::size_t> first;
     for (std::size_t i = 0; i < slots_.size(); ++i)
         if (slots_[i].uploaded) first.emplace(loaded_.planePairs[i].get(), i);
@@ -467,7 +470,11 @@ const Box& CasterScene::bounds() {
 }
 
 const SceneTree& CasterScene::tree() {
-    if (!treeIsCurrent_) tree_.update(loaded_.scene);
+    if (treeIsCurrent_) return tree_;
+    SceneTree::Trees made;
+    for (const auto& [shadow, ahead] : ahead_)
+        if (const auto mesh = ahead.mesh.lock()) made.emplace(&*mesh->geometry, ahead.triangles);
+    tree_.update(loaded_.scene, std::move(made));
     treeIsCurrent_ = true;
     return tree_;
 }

@@ -286,6 +286,15 @@ TEST(PrimitiveMapBuilding, ListsAreDividedWhereTheyAreLong) {
     EXPECT_GT(map.header.size(), 16u * 16u);
 }
 
+// A worker's memory is zeroed page by page, and never shrinks: arrays that grow by doubling would
+// take up to three times as much.
+TEST(PrimitiveMapBuilding, TakesNoMoreMemoryThanItsArrays) {
+    const PrimitiveMap map = mapOf(clutter(4, 200), lights()[0], 16, false);
+    EXPECT_GT(map.entries.size(), 1000u);
+    EXPECT_EQ(map.header.capacity(), map.header.size());
+    EXPECT_EQ(map.entries.capacity(), map.entries.size());
+}
+
 TEST(PrimitiveMapBuilding, GivesUpWhatIsTooLarge) {
     const auto shadows = buildPlanePairs(clutter(4, 200), false);
     const std::vector<PlacedCasters> casters = {

@@ -156,6 +156,22 @@ TEST(VisiblePart, OfSoupsIsThatOfEveryTriangle) {
     }
 }
 
+// Hosts make trees of large meshes ahead, in steps of their own.
+TEST(SceneTree, TakesTreesThatWereMadeAhead) {
+    Random random(24);
+    Scene scene;
+    addSoup(scene, random, 300);
+    addSoup(scene, random, 300);
+    const Geometry& known = *scene.batches[1].geometry;
+    const CopyOnWrite ahead(TriangleTree(known, scene.materials));
+    SceneTree tree;
+    tree.update(scene, {{&known, ahead}});
+    EXPECT_EQ(&tree.trianglesOf(1), &*ahead);
+    EXPECT_TRUE(findsTheSame(scene, tree, someFrustum(random, scene)));
+    tree.update(scene);
+    EXPECT_EQ(&tree.trianglesOf(1), &*ahead) << "it is kept";
+}
+
 // Triangles of any size make boxes useless: the search gives up and looks at all leaves once.
 TEST(VisiblePart, OfATangleIsThatOfEveryTriangle) {
     Random random(22);

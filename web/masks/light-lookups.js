@@ -17,13 +17,18 @@ const nextTask = () => new Promise((resolve) => { setTimeout(resolve); });
 /** Bytes of a map's piece, and of pieces under way: a browser holds as many for its GPU process without waiting. */
 const pieceBytes = 2 ** 19, mostUnderWay = 2 ** 24;
 
-/** Milliseconds after which that process has most likely taken a piece, though the GPU still draws what came before. */
-const longestWay = 500;
+/**
+ * Milliseconds, and the page's frames, after which that process has most likely taken a piece, though the GPU still draws
+ * what came before. While that process waits for the GPU it shows no frames, and a further piece would hold the page.
+ */
+const longestWay = 500, framesOnWay = 4;
 
 export class LightLookups {
   #module;
   #texels = new Map(); // texels left to upload, by id: {texels, next}
-  #sent = []; // pieces under way, a step's together, oldest first: {sync behind them or null, bytes, since}
+  #sent = []; // pieces under way, a step's together, oldest first: {sync behind them or null, bytes, since, frame}
+  #frame = 0; // number of the page's frames while pieces are under way
+  #nextFrame = 0; // requestAnimationFrame()'s number, or 0
   #isDisposed = false;
   #engine; // {gl, program, masks, inContext, withLight, require, textureOf}
   #calls = new WorkerCalls(() => new Worker(new URL('./lookup-worker.js', import.meta.url), { type: 'module' }),
@@ -107,16 +112,28 @@ export class LightLookups {
 
   /** Uploads pieces for some milliseconds, as long as few bytes are under way. */
   uploadStep(id) {
-    const { gl } = this.#engine, since = performance.now(), isTaken = (sync) => sync && gl.getSyncParameter(sync, gl.SYNC_STATUS) === gl.SIGNALED;
-    while (this.#sent[0] && (since - this.#sent[0].since > longestWay || isTaken(this.#sent[0].sync))) this.#endSyncs(1);
+    const { gl } = this.#engine, since = performance.now();
+    const isTaken = (sent) => (since - sent.since > longestWay && this.#frame - sent.frame >= framesOnWay) ||
+      (sent.sync && gl.getSyncParameter(sent.sync, gl.SYNC_STATUS) === gl.SIGNALED);
+    while (this.#sent[0] && isTaken(this.#sent[0])) this.#endSyncs(1);
     let bytes = 0, whole = false;
     for (const room = this.#sent.reduce((left, sent) => left - sent.bytes, mostUnderWay); !whole && bytes < room && performance.now() < since + stepMilliseconds; bytes += pieceBytes)
       whole = this.upload(id, pieceBytes);
     if (bytes > 0) {
-      this.#sent.push({ sync: gl.fenceSync?.(gl.SYNC_GPU_COMMANDS_COMPLETE, 0), bytes, since });
+      this.#sent.push({ sync: gl.fenceSync?.(gl.SYNC_GPU_COMMANDS_COMPLETE, 0), bytes, since, frame: this.#frame });
       gl.flush();
+      this.#countFrames();
     }
     return whole;
+  }
+
+  /** While pieces are under way. */
+  #countFrames() {
+    this.#nextFrame ||= requestAnimationFrame(() => {
+      this.#nextFrame = 0;
+      this.#frame += 1;
+      if (this.#sent.length > 0) this.#countFrames();
+    });
   }
 
   #endSyncs(count = this.#sent.length) {

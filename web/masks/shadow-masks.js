@@ -41,6 +41,7 @@ export class ShadowMasks {
   #lookups;
   #allocatedFor = ''; // sizes for which draw() has pictures
   #preparedFor = ''; // sizes of the last prepareToDraw()
+  #hasDrawn = false; // since restore()
   #hostError = 0; // since the last draw()
   #lastHostError = 0; // before it
 
@@ -94,6 +95,7 @@ export class ShadowMasks {
     // Emscripten numbers the program's objects, and takes the number from deleted ones.
     this.#state = new HostState(this.#gl, (texture) => texture.name === 0, this.#clips);
     this.#allocatedFor = this.#preparedFor = '';
+    this.#hasDrawn = false;
     this.#takeHostError();
     this.#require(this.#inContext(() => this.#masks.start()));
   }
@@ -206,7 +208,8 @@ export class ShadowMasks {
   /** Begins to make what draw() takes: see the declaration. */
   prepareToDraw(view, lights) {
     const needs = needsOf(view, lights);
-    if (this.#preparedFor === needs) this.#takeHostError(); // the first call creates no pictures
+    // The first call creates no pictures, nor does any after the first masks: the question for errors waits for all pending draws.
+    if (this.#preparedFor === needs && !this.#hasDrawn) this.#takeHostError();
     this.#preparedFor = needs;
     const ready = this.#forDrawing(view, lights, [], (...numbers) => this.#masks.prepareToDraw(...numbers));
     this.#require(ready >= 0);
@@ -230,6 +233,7 @@ export class ShadowMasks {
     const { nearness = true } = view, needs = needsOf(view, lights);
     if (this.#allocatedFor !== needs) this.#takeHostError();
     this.#allocatedFor = needs;
+    this.#hasDrawn = true;
     this.#lastHostError = this.#hostError;
     this.#hostError = 0;
     this.#require(this.#forDrawing(view, lights, lookups, (...numbers) => this.#masks.draw(...numbers)));

@@ -3,7 +3,7 @@
 import { REVISION } from 'three';
 import { isAlphaTested } from '../three/alpha-tests.js';
 import { Casters } from '../three/casters.js';
-import { Progress } from '../three/progress.js';
+import { Progress, waitFor } from '../three/progress.js';
 import { Readiness } from '../three/readiness.js';
 import { boxAround } from '../three/receiver-box.js';
 import { RestingLights } from '../three/resting-lights.js';
@@ -30,10 +30,6 @@ function requireChoices(chosen) {
   for (const [name, all] of Object.entries(choices))
     if (!all.includes(chosen[name])) throw new Error(`${name} is '${chosen[name]}', which is not one of ${all.join(', ')} in edgeshade/three-webgpu.`);
 }
-
-
-/** Milliseconds between steps outside of frames, and between looks at lights that rest. */
-const stepWait = 16, lightWait = 100;
 
 export class ExactShadows extends EventTarget {
   #renderer;
@@ -230,8 +226,8 @@ export class ExactShadows extends EventTarget {
   /** The state that a frame would show, and when to go on, for Progress. */
   #standing(maps = this.#maps) {
     const shown = maps.map((map) => map && `${map.id} ${map.movers}`);
-    const waits = this.#resting.isWaiting(this.#lights) ? lightWait : Infinity;
-    return { state: this.#isSettled ? `${this.#masks.casterState} ${shown}` : `${this.#texels.count}`, wait: !this.#isSettled || this.#resting.isUploading ? stepWait : waits };
+    const wait = waitFor({ isBusy: this.#casters.hasSteps || this.#resting.isUploading, isPending: !this.#isSettled, isWaiting: this.#resting.isWaiting(this.#lights) });
+    return { state: this.#isSettled ? `${this.#masks.casterState} ${shown}` : `${this.#texels.count}`, wait };
   }
 
   /** Reports what stays wrong. */

@@ -155,6 +155,16 @@ export class Casters {
     return this.#revision;
   }
 
+  /** Whether meshes have been added that the revision doesn't tell yet. */
+  get isAdding() {
+    return this.#added;
+  }
+
+  /** Whether advance() has something to do at once. */
+  get hasSteps() {
+    return this.#unread.size > 0 || this.#queue.hasSteps;
+  }
+
   /** Number of meshes that the engine doesn't have yet as they are. */
   get pending() {
     return this.#pending + this.#unread.size;
@@ -532,6 +542,7 @@ export class Casters {
     for (const [i, id] of ids.entries()) {
       if (tint ? tints[i] && sameTint(tints[i], tint) : !tints[i]) continue;
       this.#masks.setTint(id, tint?.tint ?? null, tint ?? {});
+      this.#revision += 1;
       had.changed = performance.now();
       tints[i] = tint;
     }

@@ -1,14 +1,17 @@
 // Programs and pictures of masks, made before the first masks without waiting for the compiler or
 // for pending draws.
 
-/** Looks at the GPU after which the programs are taken over even if it never rests between frames. */
-const mostLooks = 60;
+/**
+ * Milliseconds after which programs are taken over even if the GPU never rests between frames, and from one such
+ * program to the next: each may wait for pending draws.
+ */
+const longestWait = 1000, pause = 50;
 
 export class DrawPreparation {
   #masks;
   #gl;
   #sync = null; // behind the last frame's draws
-  #looks = 0;
+  #until = Infinity; // when a program is taken over even if the GPU is busy
   #isDone = false;
   #hasBegun = false;
   #failed = false;
@@ -35,7 +38,9 @@ export class DrawPreparation {
    */
   advance(view, lights) {
     if (this.isDone) return true;
-    if (this.#hasBegun && this.#isBusy()) return false;
+    const now = performance.now();
+    if (this.#hasBegun && now < this.#until && this.#isBusy()) return false;
+    this.#until = now >= this.#until ? now + pause : Math.min(this.#until, now + longestWait);
     this.#hasBegun = true;
     try {
       this.#isDone = this.#masks.prepareToDraw(view, lights) || this.#isDone;
@@ -44,7 +49,7 @@ export class DrawPreparation {
     }
     if (this.isDone) {
       this.#endSync();
-      this.#looks = 0;
+      this.#until = Infinity;
     } else this.drawn();
     return this.isDone;
   }
@@ -66,8 +71,7 @@ export class DrawPreparation {
   /** Whether taking over a program would wait for pending draws. */
   #isBusy() {
     const gl = this.#gl;
-    this.#looks += 1;
-    return this.#looks < mostLooks && Boolean(this.#sync) && gl.getSyncParameter(this.#sync, gl.SYNC_STATUS) !== gl.SIGNALED;
+    return Boolean(this.#sync) && gl.getSyncParameter(this.#sync, gl.SYNC_STATUS) !== gl.SIGNALED;
   }
 
   #endSync() {

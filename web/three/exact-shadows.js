@@ -15,7 +15,7 @@ import { MaskViews } from './mask-views.js';
 import { MaterialCompiling } from './material-compiling.js';
 import { MaterialPatches } from './material-patch.js';
 import { ProductDrawing } from './product-drawing.js';
-import { Progress } from './progress.js';
+import { Progress, waitFor } from './progress.js';
 import { Readiness } from './readiness.js';
 import { boxAround } from './receiver-box.js';
 import { needsMask, RestingLights } from './resting-lights.js';
@@ -41,9 +41,6 @@ const slotUniforms = (slot) => Object.fromEntries(Object.entries({
 
 /** A light's number in edgeshadeWays. */
 const wayOf = (map, channel) => (!map ? channel : channel < 0 ? -1 - map.slot : mostLights * (map.slot + 1) + channel);
-
-/** Milliseconds between steps outside of frames, and between looks at lights that rest. */
-const stepWait = 16, lightWait = 100;
 
 export class ExactShadows extends EventTarget {
   #renderer;
@@ -333,7 +330,7 @@ export class ExactShadows extends EventTarget {
     if (!this.#last) return this.#progress.invalidate();
     this.#followLast();
     this.#prepare();
-    return this.#progress.drawn({ state: this.#pendingState, wait: stepWait });
+    return this.#progress.drawn({ state: this.#pendingState, wait: waitFor({ isPending: true }) });
   }
 
   #followLast() {
@@ -441,12 +438,13 @@ export class ExactShadows extends EventTarget {
   #standing(maps = this.#maps) {
     const pending = !this.#isSettled || this.#isUnprepared;
     const shown = maps.map((map) => map && `${map.slot} ${map.id} ${map.movers}`);
-    const waits = this.#resting.isWaiting(this.#lights) ? lightWait : Infinity;
-    return { state: pending ? this.#pendingState : `${this.#masks.casterState} ${shown}`, wait: pending || this.#resting.isUploading ? stepWait : waits };
+    const wait = waitFor({ isBusy: this.#casters.hasSteps || this.#resting.isUploading, isPending: pending, isWaiting: this.#resting.isWaiting(this.#lights) });
+    return { state: pending ? this.#pendingState : `${this.#masks.casterState} ${shown}`, wait };
   }
 
   #followMaps() {
-    this.#resting.cutoutsMoved = this.#casters.cutoutsMoved;
+    const { cutoutsMoved, revision, isAdding } = this.#casters;
+    Object.assign(this.#resting, { cutoutsMoved, revision, isAdding });
     const maps = this.#resting.follow(this.#lights, this.#isSettled);
     return this.#cutouts.follow(this.#lights, maps, Math.min(this.#mostLookedUp, this.#patches.slots), this.#casters.lackedByMasks);
   }

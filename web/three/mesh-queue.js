@@ -20,6 +20,7 @@ export class MeshQueue {
   #held = []; // steps that add meshes
   #heldSince = 0;
   #adding = 0; // of the steps, those that add meshes
+  #taking = 0; // and those that take over what a worker has prepared
   #batch = null; // read, and not yet sent
   #grows = false; // whether a mesh has come since the last advance()
   #calls = new Set();
@@ -54,6 +55,11 @@ export class MeshQueue {
     return this.#adding > 0;
   }
 
+  /** Whether advance() has something to do at once, with no answer of a worker. */
+  get hasSteps() {
+    return this.#steps.length > 0 || this.#waiting.length > 0;
+  }
+
   /** Takes steps for a few milliseconds. Returns whether the GL's state has changed. */
   advance() {
     const until = performance.now() + frameMilliseconds;
@@ -70,8 +76,9 @@ export class MeshQueue {
     return changed;
   }
 
-  /** Lets meshes be added once all are ready, or others take long. */
+  /** Lets meshes be added once all are ready, or others take long. Meshes that are taken over may ask for further programs. */
   #release() {
+    if (this.#taking > 0) return;
     const isBusy = this.#batch || this.#waiting.length + this.#steps.length + this.#calls.size > 0;
     if (this.#held.length === 0 || (isBusy && performance.now() - this.#heldSince < patience) || !this.#isPrepared()) return;
     const steps = this.#held.splice(0);
@@ -130,6 +137,7 @@ export class MeshQueue {
     const placed = batch.jobs.filter(({ at }) => at);
     const call = this.#masks.prepareTogether(batch.shapes, placed.map(({ mesh, at }) => ({ mesh, matrix: at }))).then(
       ({ meshes, merged }) => {
+        this.#taking += meshes.length;
         for (const [i, bytes] of meshes.entries()) this.#steps.push(() => this.#take(batch.entries[i], bytes));
         if (batch.uploads) this.#steps.push(() => this.#upload(batch.entries[0]));
         for (const { members, bytes } of merged) this.#hold(() => this.#addMerged(bytes, members.map((member) => placed[member])));
@@ -148,6 +156,7 @@ export class MeshQueue {
   }
 
   #take(entry, bytes) {
+    this.#taking -= 1;
     if (entry.number !== null || entry.users === 0) return;
     try {
       entry.number = this.#masks.take(bytes);

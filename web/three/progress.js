@@ -1,5 +1,11 @@
 // Work between frames, and whether one more frame would look different.
 
+/**
+ * Milliseconds until there is more work. `isBusy`: there is some now, and others' tasks come between; `isPending`: a
+ * worker or the GPU is to answer; `isWaiting`: lights and casters are to rest.
+ */
+export const waitFor = ({ isBusy, isPending, isWaiting }) => (isBusy ? 4 : isPending ? 16 : isWaiting ? 100 : Infinity);
+
 export class Progress {
   #work;
   #changed;

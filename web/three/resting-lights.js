@@ -50,6 +50,9 @@ export class RestingLights {
   cutoutsMoved = -Infinity;
   /** Points of lights with a radius. */
   samples = 64;
+  /** Casters.revision, and Casters.isAdding: maps stay as they are until all meshes of a group are added. */
+  revision = 0;
+  isAdding = false;
 
   /**
    * `lights`: {light: three.js's, numbers: MaskLight}, all casting ones. `settled`: no meshes are
@@ -118,9 +121,12 @@ export class RestingLights {
       const lookup = entry[which];
       if (!lookup) continue;
       // While nothing changes, thousands of casters needn't be compared.
-      const isKnown = lookup.comparedAt === this.#casterState && lookup.state.holds && lookup.state.movers === 0 && !entry.isSoft;
-      if (!isKnown) lookup.state = this.#masks.lookupState(lookup.id, numbers, Math.max(longRestMs, entry.restMs));
-      lookup.comparedAt = this.#casterState;
+      const isSame = lookup.comparedAt === this.#casterState || (this.isAdding && lookup.comparedFor === this.revision);
+      if (!isSame || !lookup.state.holds || lookup.state.movers > 0 || entry.isSoft) {
+        lookup.state = this.#masks.lookupState(lookup.id, numbers, Math.max(longRestMs, entry.restMs));
+        lookup.comparedAt = this.#casterState;
+        lookup.comparedFor = this.revision;
+      }
       if (lookup.state.holds && !(lookup.held.moved < this.cutoutsMoved)) continue;
       // Casters that rest for less than this are likely to start again.
       if (lookup.map) entry.restMs = Math.min(Math.max(longRestMs, 2 * entry.restMs), longestRestMs);

@@ -351,12 +351,21 @@ std::optional<PrimitiveMap> PrimitiveMapBuilder::join() {
     map.tiles = tiles_;
     map.size = settings_.size;
     map.extended = tiles_.shape.has_value();
-    map.entries.emplace_back(0.0f); // so that 0 names no list
     const auto size = static_cast<std::size_t>(settings_.size);
+    // The arrays take most of a map's memory: none grows step by step, and parts are let go of.
+    std::size_t blocks = 0, listed = 0;
+    for (const Part& part : parts_) {
+        blocks += part.blocks.size();
+        listed += part.listed.size();
+    }
+    map.header.reserve(tiles_.tiles.size() * size * size + blocks);
+    map.entries.reserve(1 + listed);
+    map.entries.emplace_back(0.0f); // so that 0 names no list
     map.header.resize(tiles_.tiles.size() * size * size, glm::vec2(neverDark, 0.0f));
     Records records(occluders_, settings_.cutouts, map);
     std::size_t lists = 0;
-    for (const Part& part : parts_) {
+    for (Part& from : parts_) {
+        const Part part = std::move(from);
         const std::vector<Footprint>& prints = prints_[part.tile].prints;
         std::vector<float> listAt(part.lists.size());
         lists += part.lists.size();

@@ -54,7 +54,7 @@ TriangleTree SceneTree::treeFor(const Geometry& geometry,
     return {geometry, materials, ofCut_ ? Cones::none : Cones::found};
 }
 
-void SceneTree::update(const Scene& scene) {
+void SceneTree::update(const Scene& scene, Trees made) {
     std::vector<std::uint8_t> doubleSided;
     for (const Material& material : scene.materials)
         doubleSided.push_back(material.doubleSided);
@@ -67,7 +67,7 @@ void SceneTree::update(const Scene& scene) {
     const bool ofCut = scene.cutFrom.has_value();
     if (ofCut_ && !ofCut) batches_.clear(); // their trees may have no cones
     ofCut_ = ofCut;
-    Trees trees;
+    Trees trees = std::move(made);
     for (const OfBatch& of : batches_) {
         if (of.geometry) trees.emplace(&**of.geometry, of.triangles);
         if (of.whole) trees.emplace(&*of.whole->geometry, of.whole->triangles);

@@ -13,13 +13,16 @@ namespace edgeshade {
 /// trees of geometries.
 class SceneTree {
   public:
+    using Trees = std::map<const Geometry*, CopyOnWrite<TriangleTree>>;
+
     SceneTree() = default; ///< of a scene without batches
     explicit SceneTree(const Scene& scene) { update(scene); }
 
     /// Follows a scene whose batches have moved, deformed, come or gone. Makes trees only for
     /// geometries that it doesn't know; of batches that have deformed, and places that have moved,
     /// it fits the boxes. The trees of geometries that a section cuts follow from those before it.
-    void update(const Scene& scene);
+    /// `made`: trees that were made ahead, with cones.
+    void update(const Scene& scene, Trees made = {});
 
     /// The boxes of places in the world; the item with number i is the batch places()[i].
     const BoxTree<double>& boxes() const { return boxes_; }
@@ -41,8 +44,6 @@ class SceneTree {
         CopyOnWrite<Geometry> geometry;
         CopyOnWrite<TriangleTree> triangles;
     };
-    using Trees = std::map<const Geometry*, CopyOnWrite<TriangleTree>>;
-
     struct OfBatch {
         CopyOnWrite<TriangleTree> triangles;
         /// The geometry of a rigid batch, kept as it is: whoever edits it gets a copy.

@@ -1,0 +1,65 @@
+// New meshes on their way into the engine, with an engine of the test's own.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { MeshQueue } from '../three/mesh-queue.js';
+
+/** A queue with an engine that prepares batches when the test says so. `ofTaken(bytes)`: called as the engine takes a mesh over. */
+function started(ofTaken = () => {}) {
+  const engine = { answers: [], added: [], isPrepared: true };
+  const masks = {
+    prepareTogether: (shapes, places) => new Promise((resolve) => {
+      engine.answers.push(() => resolve({ meshes: shapes.map(({ name }) => name), merged: [{ members: places.map((_, i) => i), bytes: '' }] }));
+    }),
+    take: (bytes) => {
+      ofTaken(bytes, engine);
+      return 1;
+    },
+    addMerged: (_, numbers) => {
+      engine.added.push(numbers.length);
+      return numbers;
+    },
+  };
+  const queue = new MeshQueue(masks, assert.fail, () => engine.isPrepared);
+  const add = (name) => queue.add({ entry: { number: null, users: 1 }, merges: true, shape: () => ({ name, indices: new Array(3e5) }), matrix: () => [],
+    isWanted: () => true, placed() {}, done() {} });
+  /** Lets the engine answer the oldest batch. */
+  const answer = async () => {
+    engine.answers.shift()();
+    await new Promise((resolve) => { setTimeout(resolve); });
+  };
+  return { queue, engine, add, answer };
+}
+
+test('meshes that ask for further programs as they are taken over wait for these', async (context) => {
+  let now = 0;
+  context.mock.method(performance, 'now', () => now);
+  const { queue, engine, add, answer } = started((name, of) => { of.isPrepared &&= name !== 'open'; });
+  for (const name of ['closed', 'open', 'last']) add(name);
+  queue.advance();
+  await answer();
+  queue.advance();
+  assert.deepEqual(engine.added, [], 'they wait for the others');
+  now += 5000; // longer than they wait
+  await answer();
+  queue.advance();
+  queue.advance();
+  assert.deepEqual(engine.added, [], 'and for the programs of the open one');
+  engine.isPrepared = true;
+  queue.advance();
+  assert.deepEqual(engine.added, [1, 1]);
+});
+
+test('a queue tells whether it has something to do at once', async () => {
+  const { queue, engine, add, answer } = started();
+  assert.equal(queue.hasSteps, false);
+  add('one');
+  assert.equal(queue.hasSteps, true, 'to read it');
+  queue.advance();
+  assert.equal(queue.hasSteps, false, 'the engine prepares it');
+  await answer();
+  assert.equal(queue.hasSteps, true, 'to take it over');
+  queue.advance();
+  queue.advance();
+  assert.deepEqual([queue.hasSteps, engine.added], [false, [1]]);
+});
