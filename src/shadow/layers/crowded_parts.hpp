@@ -53,7 +53,7 @@ class CrowdedParts {
     }
     void sort();
 
-    /// What was put into a cell, by its place in cells().
+    /// All that was put into a cell, by its place in cells().
     std::span<const FaceSegment> segmentsOf(std::size_t cell) const { return segments_.of(cell); }
     std::span<const FacePolygon> uncertainOf(std::size_t cell) const { return uncertain_.of(cell); }
 
