@@ -11,7 +11,7 @@ namespace edgeshade {
 namespace {
 
 /// Triangles below which another thread isn't worth starting.
-constexpr std::size_t trianglesOfThread = std::size_t{1} << 14;
+constexpr std::size_t itemsOfThread = std::size_t{1} << 14;
 
 constexpr std::uint32_t signBit = 0x80000000u;
 
@@ -63,8 +63,8 @@ struct AxisCells {
     std::int64_t own, first, last;
 
     AxisCells(float coordinate, double tolerance) {
-        constexpr double farthest = 0x1p52, rounding = 1.001;
-        const double size = 2.0 * tolerance, reach = rounding * tolerance;
+        constexpr double farthest = 0x1p52, wider = 1.001;
+        const double size = 2.0 * tolerance, reach = wider * tolerance;
         const double cell = std::floor(static_cast<double>(coordinate) / size);
         if (std::abs(cell) < farthest) {
             own = static_cast<std::int64_t>(cell);
@@ -131,7 +131,7 @@ std::vector<KeyedPosition> usedPositions(std::span<const glm::vec3> positions,
     std::vector<std::uint8_t> used(positions.size(), 0);
     for (const std::uint32_t index : indices)
         used[index] = 1;
-    const std::vector<ItemRange> parts = partsOf(positions.size(), trianglesOfThread, threads);
+    const std::vector<ItemRange> parts = partsOf(positions.size(), itemsOfThread, threads);
     std::vector<std::size_t> firsts(parts.size());
     forEachPart(parts, [&](std::size_t part, const ItemRange& range) {
         firsts[part] = static_cast<std::size_t>(
@@ -155,7 +155,7 @@ struct Places {
 /// `keys` must be sorted.
 Places placesOf(const std::vector<KeyedPosition>& keys, std::size_t vertexCount, Threads threads) {
     const auto isNew = [&](std::size_t i) { return i == 0 || keys[i].key != keys[i - 1].key; };
-    const std::vector<ItemRange> parts = partsOf(keys.size(), trianglesOfThread, threads);
+    const std::vector<ItemRange> parts = partsOf(keys.size(), itemsOfThread, threads);
     std::vector<std::uint32_t> firsts(parts.size());
     forEachPart(parts, [&](std::size_t part, const ItemRange& range) {
         std::uint32_t count = 0;
@@ -182,7 +182,7 @@ WeldedMesh weldedAt(Places places, std::span<const std::uint32_t> indices, Threa
     const std::size_t triangleCount = indices.size() / 3;
     mesh.triangles.resize(triangleCount);
     mesh.source.resize(triangleCount);
-    const std::vector<ItemRange> parts = partsOf(triangleCount, trianglesOfThread, threads);
+    const std::vector<ItemRange> parts = partsOf(triangleCount, itemsOfThread, threads);
     std::vector<std::size_t> kept(parts.size());
     forEachPart(parts, [&](std::size_t part, const ItemRange& range) {
         std::size_t next = range.first;

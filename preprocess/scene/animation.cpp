@@ -114,9 +114,9 @@ bool fitsFloats(const glm::dmat4& matrix) {
 /// Whether the matrix flattens what it transforms, except for rounding: compares its determinant
 /// with the largest possible for columns of these lengths.
 bool flattens(const glm::dmat3& matrix) {
-    constexpr double rounding = 1e-14;
+    constexpr double flatShare = 1e-14;
     const double most = glm::length(matrix[0]) * glm::length(matrix[1]) * glm::length(matrix[2]);
-    return std::abs(glm::determinant(matrix)) <= rounding * most;
+    return std::abs(glm::determinant(matrix)) <= flatShare * most;
 }
 
 /// Whether drawing in floats can use the matrix and its inverse.
@@ -132,11 +132,11 @@ struct WorldPlace {
 };
 
 /// World transforms of the animated nodes; key -1 is the world itself.
-using Places = std::map<int, WorldPlace>;
+using WorldPlaces = std::map<int, WorldPlace>;
 
-Places placesAt(const Animation& animation, const Scene& scene, double seconds) {
+WorldPlaces placesAt(const Animation& animation, const Scene& scene, double seconds) {
     // Nodes come after those above them, so that each finds its parent.
-    Places worldFromAnimated = {{-1, WorldPlace()}};
+    WorldPlaces worldFromAnimated = {{-1, WorldPlace()}};
     for (const AnimatedNode& animatedNode : scene.animatedNodes) {
         WorldPlace local{animatedNode.parentFromAnimated,
                          animatedNode.parentFromAnimatedUnflattened};
@@ -146,37 +146,39 @@ Places placesAt(const Animation& animation, const Scene& scene, double seconds) 
             const bool flatForGood = local.exact == local.unflattened && !motion->second.scale;
             local = {flatForGood ? moved.unflattened() : moved.matrix(), moved.unflattened()};
         }
-        const WorldPlace& above = worldFromAnimated.at(animatedNode.above);
+        const WorldPlace& ancestor = worldFromAnimated.at(animatedNode.above);
         worldFromAnimated[animatedNode.node] = {
-            above.exact * animatedNode.aboveFromParent * local.exact,
-            above.unflattened * animatedNode.aboveFromParentUnflattened * local.unflattened};
+            ancestor.exact * animatedNode.aboveFromParent * local.exact,
+            ancestor.unflattened * animatedNode.aboveFromParentUnflattened * local.unflattened};
     }
     return worldFromAnimated;
 }
 
 /// Null for static nodes, which keep their rest transform to the last bit.
-std::optional<WorldPlace> worldFromNode(const NodePlace& place, const Places& worldFromAnimated) {
+std::optional<WorldPlace> worldFromNode(const NodePlace& place,
+                                        const WorldPlaces& worldFromAnimated) {
     if (place.animatedNode < 0) return std::nullopt;
-    const WorldPlace& above = worldFromAnimated.at(place.animatedNode);
-    return WorldPlace{above.exact * place.animatedFromNode, above.unflattened * place.unflattened};
+    const WorldPlace& ancestor = worldFromAnimated.at(place.animatedNode);
+    return WorldPlace{ancestor.exact * place.animatedFromNode,
+                      ancestor.unflattened * place.unflattened};
 }
 
 /// The transform of a skinned batch. Joints place its vertices in the world. If the mesh's node
 /// mirrors, the transform mirrors too, which turns triangles over and leaves them in place.
-glm::dmat4 worldFromSkinned(const Batch& batch, const Places& places) {
+glm::dmat4 worldFromSkinned(const Batch& batch, const WorldPlaces& places) {
     const NodePlace& place = batch.deformation->place;
     const glm::dmat3 worldFromMesh(places.at(place.animatedNode).exact * place.animatedFromNode);
     if (!(glm::determinant(worldFromMesh) < 0.0)) return batch.nodeFromBatch;
     return glm::scale(batch.nodeFromBatch, glm::dvec3(-1.0, 1.0, 1.0));
 }
 
-glm::dmat4 worldFromBatchAt(const Batch& batch, const Places& places) {
+glm::dmat4 worldFromBatchAt(const Batch& batch, const WorldPlaces& places) {
     if (batch.node >= 0) return places.at(batch.node).exact * batch.nodeFromBatch;
     const bool skinned = batch.deforms() && batch.deformation->isSkinned();
     return skinned ? worldFromSkinned(batch, places) : batch.worldFromBatch;
 }
 
-BatchShape shapeAt(const Batch& batch, const Animation& animation, const Places& places,
+BatchShape shapeAt(const Batch& batch, const Animation& animation, const WorldPlaces& places,
                    const glm::dmat4& worldFromBatch, double seconds) {
     BatchShape shape;
     if (!batch.deforms()) return shape;
@@ -222,7 +224,7 @@ NodeTransform NodeMotion::at(double seconds) const {
 }
 
 Pose poseAt(const Animation& animation, const Scene& scene, double seconds) {
-    const Places places = placesAt(animation, scene, seconds);
+    const WorldPlaces places = placesAt(animation, scene, seconds);
     Pose pose{{}, {}, scene.cameras, scene.lights};
     for (const Batch& batch : scene.batches) {
         auto& worldFromBatch = pose.worldFromBatch.emplace_back(worldFromBatchAt(batch, places));

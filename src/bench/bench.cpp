@@ -22,6 +22,8 @@ constexpr int framesPerStageFrame = 4; // stages need additional frames, so only
 constexpr int repeatedFrames = 3;      // the first frames, drawn again at the end
 constexpr int mostTries = 5;           // if the GPU was disturbed
 
+} // namespace
+
 /// The data that a contender needs on the GPU. Only contenders with equal needs share it, as each
 /// one's memory is reported.
 struct Needs {
@@ -36,6 +38,8 @@ struct Needs {
     auto operator<=>(const Needs&) const = default;
 };
 
+namespace {
+
 Needs needsOf(const RenderSettings& settings) {
     Needs needs{.volumes = settings.records(),
                 .proposed = settings.silhouette == SilhouetteChoice::proposed,
@@ -48,6 +52,8 @@ Needs needsOf(const RenderSettings& settings) {
     if (needs.volumes) needs.shadowed = settings.shadowedLights;
     return needs;
 }
+
+} // namespace
 
 /// A scene with the data that its contenders share.
 class Stage {
@@ -119,8 +125,6 @@ struct Contender {
     std::vector<FillCost> fills;
     std::vector<StageMs> stages;
 };
-
-} // namespace
 
 /// The contenders of a task in one context, with their scenes.
 class Course {

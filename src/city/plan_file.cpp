@@ -13,8 +13,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using std::chrono::minutes;
 
-constexpr std::uint64_t version = 1;
-constexpr const char* versionKey = "edgeshade_city_plan";
+constexpr std::uint64_t planVersion = 1;
+constexpr const char* planKey = "edgeshade_city_plan";
 
 Json jsonOf(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
@@ -118,7 +118,7 @@ std::string textOf(const Plan& plan) {
         sources.push_back(jsonOf(source));
     for (const Job& job : plan.jobs)
         jobs.push_back(jsonOf(job, jobs.size() + 1));
-    const Json json = {{versionKey, version},
+    const Json json = {{planKey, planVersion},
                        {"folder", plan.folder.generic_string()},
                        {"epsg", plan.epsg ? Json(*plan.epsg) : Json(nullptr)},
                        {"lod", plan.reading.lod ? Json(*plan.reading.lod) : Json(nullptr)},
@@ -137,7 +137,7 @@ ReadPlan planFrom(const std::filesystem::path& path) {
     const Json json = jsonFrom(textOf(bytes), "'" + path.string() + "' is not a plan of city plan");
     const JsonField root(path, json);
     root.requireObject();
-    root.requireVersion(versionKey, version);
+    root.requireVersion(planKey, planVersion);
     ReadPlan read{{}, sha256(bytes)};
     Plan& plan = read.plan;
     plan.folder = path.parent_path() / root.member("folder").text();

@@ -20,8 +20,8 @@ constexpr std::int64_t largestSide = 4096, smallestSide = 16;
 /// The same in metres, at most: floats hold corners of triangles over a target, relative to its
 /// middle, without rounding (docs/method.md, C63).
 constexpr double widestTarget = 0x1p14;
-/// The most cells from the origin of coordinates.
-constexpr double mostCells = 0x1p30;
+/// Cells from the origin of coordinates, at most.
+constexpr double farthestCell = 0x1p30;
 /// The most targets.
 constexpr std::size_t mostJobs = 1'000'000;
 
@@ -204,7 +204,7 @@ Box boxOf(const std::vector<PlannedSource>& sources) {
 
 CellRange regionOf(const Box& all, double grid) {
     const double farthest = std::max(largestComponent(all.low), largestComponent(all.high));
-    if (farthest / grid > mostCells)
+    if (farthest / grid > farthestCell)
         throw Error(ExitStatus::usage, "--grid: cells of " + std::to_string(grid) +
                                            " metres are too small for coordinates of " +
                                            std::to_string(farthest) + " metres.");

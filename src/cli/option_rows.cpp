@@ -6,7 +6,8 @@
 #include "src/hours/preset.hpp"
 #include "src/settings/settings.hpp"
 
-namespace edgeshade::cli {
+// A namespace of its own: names of verbs and groups are short.
+namespace edgeshade::cli::rows {
 namespace {
 
 // Verbs, in the order of verbNames, and those that draw, have lights, show a scene, read a file.
@@ -400,20 +401,27 @@ const std::vector<Option> laboratory = {
 const std::vector<Option> help = {{"--help", all, "Show the usual options"},
                                   {"--help-all", all, "Show every option, by group"}};
 
+std::vector<OptionGroup> groups() {
+    return {{"Picture", picture},
+            {"Lights", lights},
+            {"Shadows", shadows},
+            {"Materials and ambient light", materials},
+            {"Meshes", meshes},
+            {"Hours of sunlight", sunlight},
+            {"Measuring and reports", measuring},
+            {"Limits for files", limits},
+            {"Shadow maps, for comparison", maps},
+            {"Laboratory, for comparison", laboratory},
+            {"Help", help}};
+}
+
 } // namespace
+} // namespace edgeshade::cli::rows
+
+namespace edgeshade::cli {
 
 const std::vector<OptionGroup>& optionTable() {
-    static const std::vector<OptionGroup> groups = {{"Picture", picture},
-                                                    {"Lights", lights},
-                                                    {"Shadows", shadows},
-                                                    {"Materials and ambient light", materials},
-                                                    {"Meshes", meshes},
-                                                    {"Hours of sunlight", sunlight},
-                                                    {"Measuring and reports", measuring},
-                                                    {"Limits for files", limits},
-                                                    {"Shadow maps, for comparison", maps},
-                                                    {"Laboratory, for comparison", laboratory},
-                                                    {"Help", help}};
+    static const std::vector<OptionGroup> groups = rows::groups();
     return groups;
 }
 

@@ -16,7 +16,7 @@ constexpr double dinAltitude = 6.0;
 /// EN 17037: where the reference point is at least.
 constexpr double enOverSill = 0.3, enOverFloor = 1.2;
 
-constexpr std::array<Preset, 6> all = {{
+constexpr std::array<Preset, 6> presetTable = {{
     {"en17037-minimum", "EN 17037, minimum", 1.5, false, february, equinox, 0.0, enOverSill,
      enOverFloor},
     {"en17037-medium", "EN 17037, medium", 3.0, false, february, equinox, 0.0, enOverSill,
@@ -35,12 +35,12 @@ std::optional<double> Preset::riseInWindow(const std::optional<double>& sill) co
 }
 
 std::span<const Preset> presets() {
-    return all;
+    return presetTable;
 }
 
 const Preset* findPreset(std::string_view name) {
-    const auto found = std::ranges::find(all, name, &Preset::name);
-    return found == all.end() ? nullptr : &*found;
+    const auto found = std::ranges::find(presetTable, name, &Preset::name);
+    return found == presetTable.end() ? nullptr : &*found;
 }
 
 } // namespace edgeshade::hours

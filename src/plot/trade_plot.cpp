@@ -12,8 +12,8 @@
 namespace edgeshade::plot {
 namespace {
 
-constexpr Rectangle frame{86.0, 94.0, tradePlotWidth - 190.0, tradePlotHeight - 66.0};
-constexpr Color ink = 0x222222, grey = 0x666666, gridColor = 0xE4E4E4;
+constexpr Rectangle plotArea{86.0, 94.0, tradePlotWidth - 190.0, tradePlotHeight - 66.0};
+constexpr Color textColor = 0x222222, grey = 0x666666, gridColor = 0xE4E4E4;
 constexpr double nameSize = 12.0, radius = 5.0;
 
 /// The mark of a family.
@@ -62,44 +62,48 @@ Axes axesFor(const std::vector<TradePoint>& points) {
     if (!std::isfinite(fewest)) fewest = most = 1.0;      // no setting has wrong pixels
     const double below = std::pow(10.0, std::floor(std::log10(fewest)));
     const double above = std::max(1.6 * most, 10.0 * below);
-    const double bottom = hasZero ? frame.bottom - 40.0 : frame.bottom;
-    return {LogAxis(fastest / 1.35, slowest * 1.6, frame.left, frame.right),
-            LogAxis(below, above, bottom, frame.top), frame.bottom - 8.0, hasZero};
+    const double bottom = hasZero ? plotArea.bottom - 40.0 : plotArea.bottom;
+    return {LogAxis(fastest / 1.35, slowest * 1.6, plotArea.left, plotArea.right),
+            LogAxis(below, above, bottom, plotArea.top), plotArea.bottom - 8.0, hasZero};
 }
 
 void drawGrid(Canvas& canvas, const Axes& axes, const std::string& timeLabel) {
     const TextStyle below{11.0, grey, Anchor::middle}, beside{11.0, grey, Anchor::end};
     for (const double tick : axes.x.ticks()) {
         const double x = axes.x.at(tick);
-        canvas.line(std::array{Point{x, frame.top}, Point{x, frame.bottom}}, gridColor, 1.0, false);
-        canvas.text({x, frame.bottom + 18.0}, tickLabel(tick), below);
+        canvas.line(std::array{Point{x, plotArea.top}, Point{x, plotArea.bottom}}, gridColor, 1.0,
+                    false);
+        canvas.text({x, plotArea.bottom + 18.0}, tickLabel(tick), below);
     }
     for (const double tick : axes.y.ticks()) {
         const double y = axes.y.at(tick);
-        canvas.line(std::array{Point{frame.left, y}, Point{frame.right, y}}, gridColor, 1.0, false);
-        canvas.text({frame.left - 8.0, y + 4.0}, tickLabel(tick), beside);
+        canvas.line(std::array{Point{plotArea.left, y}, Point{plotArea.right, y}}, gridColor, 1.0,
+                    false);
+        canvas.text({plotArea.left - 8.0, y + 4.0}, tickLabel(tick), beside);
     }
     if (axes.hasZero) {
-        canvas.line(std::array{Point{frame.left, axes.zero}, Point{frame.right, axes.zero}},
+        canvas.line(std::array{Point{plotArea.left, axes.zero}, Point{plotArea.right, axes.zero}},
                     gridColor, 1.0, true);
-        canvas.text({frame.left - 8.0, axes.zero + 4.0}, "0", beside);
+        canvas.text({plotArea.left - 8.0, axes.zero + 4.0}, "0", beside);
     }
-    canvas.line(std::array{Point{frame.left, frame.top}, Point{frame.left, frame.bottom},
-                           Point{frame.right, frame.bottom}},
-                ink, 1.2, false);
-    canvas.text({0.5 * (frame.left + frame.right), frame.bottom + 46.0}, timeLabel,
-                {13.0, ink, Anchor::middle});
-    canvas.text({24.0, 0.5 * (frame.top + frame.bottom)}, "wrong pixels, percent of visible pixels",
-                {13.0, ink, Anchor::middle, false, true});
+    canvas.line(std::array{Point{plotArea.left, plotArea.top},
+                           Point{plotArea.left, plotArea.bottom},
+                           Point{plotArea.right, plotArea.bottom}},
+                textColor, 1.2, false);
+    canvas.text({0.5 * (plotArea.left + plotArea.right), plotArea.bottom + 46.0}, timeLabel,
+                {13.0, textColor, Anchor::middle});
+    canvas.text({24.0, 0.5 * (plotArea.top + plotArea.bottom)},
+                "wrong pixels, percent of visible pixels",
+                {13.0, textColor, Anchor::middle, false, true});
 }
 
-/// Draws the families in the plot, in a column beside the frame.
+/// Draws the families in the plot, in a column beside the plotArea.
 void drawLegend(Canvas& canvas, const TradePlot& plot) {
-    const double x = frame.right + 22.0;
-    double y = frame.top + 6.0;
+    const double x = plotArea.right + 22.0;
+    double y = plotArea.top + 6.0;
     const auto entry = [&](const std::string& text, Shape shape, Color fill, Color rim) {
         canvas.mark({x, y - 4.0}, shape, radius, fill, rim, {});
-        canvas.text({x + 13.0, y}, text, {12.0, ink});
+        canvas.text({x + 13.0, y}, text, {12.0, textColor});
         y += 21.0;
     };
     for (std::size_t family = 0; family < plot.families.size(); ++family) {
@@ -117,8 +121,8 @@ void drawLegend(Canvas& canvas, const TradePlot& plot) {
 
 void drawTradePlot(Canvas& canvas, const TradePlot& plot) {
     const Axes axes = axesFor(plot.points);
-    canvas.text({frame.left, 30.0}, plot.title, {17.0, ink, Anchor::start, true});
-    canvas.text({frame.left, 50.0}, plot.subtitle, {12.0, grey});
+    canvas.text({plotArea.left, 30.0}, plot.title, {17.0, textColor, Anchor::start, true});
+    canvas.text({plotArea.left, 50.0}, plot.subtitle, {12.0, grey});
     drawLegend(canvas, plot);
     drawGrid(canvas, axes, plot.timeLabel);
 
@@ -130,12 +134,12 @@ void drawTradePlot(Canvas& canvas, const TradePlot& plot) {
     std::vector<Point> places, front;
     for (const TradePoint& point : points) {
         const double y = point.wrongPercent > 0.0 ? axes.y.at(point.wrongPercent) : axes.zero;
-        places.push_back({std::max(frame.left, axes.x.at(point.milliseconds)), y});
+        places.push_back({std::max(plotArea.left, axes.x.at(point.milliseconds)), y});
         if (point.front) front.push_back(places.back());
     }
     if (front.size() > 1) canvas.line(front, 0x999999, 1.5, true);
 
-    LabelPlaces labels(frame, places, radius);
+    LabelPlaces labels(plotArea, places, radius);
     labels.keepOff(front);
     for (std::size_t i = 0; i < front.size(); ++i) {
         // for bold text

@@ -61,7 +61,7 @@ nlohmann::ordered_json toJson(const std::optional<SunState>& sun) {
 SunState movedBy(const SunState& sun, seconds by) {
     const auto first = sys_days(year(sun::firstYear) / January / 1) - sun.time.offset;
     const auto last =
-        sys_days(year(sun::lastYear) / December / 31) + hours(24) - seconds(1) - sun.time.offset;
+        sys_days(year(sun::lastYear) / December / 31) + days(1) - seconds(1) - sun.time.offset;
     SunState moved = sun;
     moved.time.instant = std::clamp<sun::Instant>(sun.time.instant + by, first, last);
     return moved;
@@ -69,7 +69,7 @@ SunState movedBy(const SunState& sun, seconds by) {
 
 SunState movedWithinDay(const SunState& sun, seconds by) {
     const sun::Instant start = sun::startOfDay(sun.time);
-    const seconds day = hours(24);
+    const seconds day = days(1);
     SunState moved = sun;
     moved.time.instant = start + ((sun.time.instant - start + by) % day + day) % day;
     return moved;

@@ -666,7 +666,7 @@ MUTANTS = (
      "section_test", "Section.*"),
     ("a leaf that a section cut keeps the boxes of its lost triangles",
      "src/shadow/geometry/triangle_tree.cpp",
-     "same.push_back(end - first == before.size() ? leaf : none);", "same.push_back(leaf);",
+     "same.push_back(end - first == before.size() ? leaf : notKept);", "same.push_back(leaf);",
      "cut_tree_test", "CutTree.*"),
     ("pieces of a section have no boxes",
      "src/shadow/geometry/triangle_tree.cpp",

@@ -50,18 +50,18 @@ void sortAlongCurve(const Geometry& geometry, const Box& all, Threads threads,
                    [](const Keyed<2>& item) { return item.number; });
 }
 
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t notKept = std::numeric_limits<std::uint32_t>::max();
 
 /// A cut's visible triangles.
 struct CutTriangles {
-    std::vector<std::uint32_t> keptAs; ///< by triangle before: its number in the cut, or `none`
+    std::vector<std::uint32_t> keptAs; ///< by triangle before: its number in the cut, or `notKept`
     std::vector<std::uint32_t> made;   ///< pieces and fills, ascending
 };
 
 CutTriangles trianglesOfCut(const Geometry& cut, const CutOrigins& origins,
                             const std::vector<Material>& materials) {
     CutTriangles of;
-    of.keptAs.assign(origins.from->indices.size() / 3, none);
+    of.keptAs.assign(origins.from->indices.size() / 3, notKept);
     for (const SurfaceGroup& group : cut.groups) {
         if (!isSeen(group, materials)) continue;
         const std::uint32_t first = group.firstIndex / 3, end = first + group.indexCount / 3;
@@ -109,7 +109,7 @@ TriangleTree::TriangleTree(const TriangleTree& whole, const Geometry& cut,
     addLeaves(taken);
     boxes_ = BoxTree<float>(firsts_.size() - 1);
     for (std::size_t leaf = 0; leaf < boxes_.items(); ++leaf)
-        if (leaf < wholeLeaves.size() && wholeLeaves[leaf] != none)
+        if (leaf < wholeLeaves.size() && wholeLeaves[leaf] != notKept)
             boxes_.copy(leaf, whole.boxes_, wholeLeaves[leaf]);
         else
             fitLeaf(leaf, cut);
@@ -124,7 +124,7 @@ void TriangleTree::addLeaves(std::size_t first) {
 }
 
 /// Takes the triangles that a cut keeps, leaf by leaf. For each leaf, returns the one of `whole`
-/// that has the same triangles, or `none`. `keptAs`: of CutTriangles.
+/// that has the same triangles, or `notKept`. `keptAs`: of CutTriangles.
 std::vector<std::uint32_t> TriangleTree::takeLeaves(const TriangleTree& whole,
                                                     const std::vector<std::uint32_t>& keptAs) {
     std::vector<std::uint32_t> same;
@@ -137,11 +137,11 @@ std::vector<std::uint32_t> TriangleTree::takeLeaves(const TriangleTree& whole,
         const std::span<const std::uint32_t> before = whole.trianglesOf(leaf);
         for (const std::uint32_t triangle : before) {
             triangles_[end] = keptAs[triangle]; // overwritten if it isn't kept
-            end += keptAs[triangle] != none;
+            end += keptAs[triangle] != notKept;
         }
         if (end == first) continue;
         firsts_.push_back(first);
-        same.push_back(end - first == before.size() ? leaf : none);
+        same.push_back(end - first == before.size() ? leaf : notKept);
     }
     triangles_.resize(end);
     return same;

@@ -14,7 +14,7 @@ namespace {
 constexpr double heightRounding = 0x1p-48;
 
 /// Bound of the rounding error of a coordinate of 1 in a PointFrame.
-constexpr float faceRounding = 0x1p-20f;
+constexpr float directionRounding = 0x1p-20f;
 
 /// Most boxes of a run's groups to test each of its triangles against. With more, a triangle
 /// gathers its own groups.
@@ -62,15 +62,15 @@ HalfSpace inFrame(const PointFrame& frame, const glm::dvec3& normal, double offs
     if (!(size > 0.0) || !std::isfinite(size)) return {0.0f, 0.0f, 0.0f, 1.0f};
     const double by = 1.0 / size;
     return {static_cast<float>(own.x * by), static_cast<float>(own.y * by),
-            static_cast<float>(own.z * by), static_cast<float>(d * by) + faceRounding};
+            static_cast<float>(own.z * by), static_cast<float>(d * by) + directionRounding};
 }
 
 float above(float value) {
-    return value + faceRounding * (1.0f + std::abs(value));
+    return value + directionRounding * (1.0f + std::abs(value));
 }
 
 float below(float value) {
-    return value - faceRounding * (1.0f + std::abs(value));
+    return value - directionRounding * (1.0f + std::abs(value));
 }
 
 CasterBox boxAround(const std::array<glm::vec3, 3>& places) {
@@ -274,7 +274,7 @@ bool IrregularZBuffer::gatherFor(const Box& bounds, const glm::dmat4& lightFromB
         glm::abs(turn[0]) * half.x + glm::abs(turn[1]) * half.y + glm::abs(turn[2]) * half.z;
     LightBox box{glm::vec3(middle - reach), glm::vec3(middle + reach)};
     const glm::vec3 most = glm::max(glm::abs(box.low), glm::abs(box.high));
-    box = box.grown(faceRounding * std::max({most.x, most.y, most.z}));
+    box = box.grown(directionRounding * std::max({most.x, most.y, most.z}));
     bool any = false;
     for (std::size_t face = 0; face < faces_.size(); ++face) {
         PointTree::Groups& groups = scratch.groups[face];
