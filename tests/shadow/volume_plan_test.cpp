@@ -1,8 +1,11 @@
+#include "preprocess/volumes/clustering.hpp"
+#include "src/shadow/plan/ray_crossings.hpp"
 #include "src/shadow/plan/stencil_start.hpp"
 
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/planned_volumes.hpp"
 
+#include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
@@ -86,6 +89,31 @@ ClusterPlan onlyDraw(const ShadowCluster& cluster, const glm::dvec4& light) {
     return draws.empty() ? ClusterPlan() : draws.front();
 }
 
+/// One cluster of small triangles, in leaves of neighbours.
+PlanePairShadow scatteredCaps(std::uint32_t count, Random& random) {
+    PlanePairShadow shadow;
+    glm::dvec3 place = random.inCube();
+    Box bounds;
+    for (std::uint32_t cap = 0; cap < count; ++cap) {
+        place += 0.02 * random.inCube();
+        if (cap % leafTriangles == 0) shadow.leaves.emplace_back();
+        const glm::vec3 corners[] = {glm::vec3(place + 0.05 * random.inCube()),
+                                     glm::vec3(place + 0.05 * random.inCube()),
+                                     glm::vec3(place + 0.05 * random.inCube())};
+        shadow.caps.push_back(capOf(corners[0], corners[1], corners[2]));
+        for (const glm::vec3& corner : corners) {
+            shadow.leaves.back().add(glm::dvec3(corner));
+            bounds.add(glm::dvec3(corner));
+        }
+    }
+    ShadowCluster cluster;
+    cluster.bounds = bounds;
+    cluster.caps = {0, count};
+    cluster.leaves = {0, static_cast<std::uint32_t>(shadow.leaves.size())};
+    shadow.clusters.push_back(cluster);
+    return shadow;
+}
+
 } // namespace
 
 TEST(Separation, OfWhatIsPlainlyApartOrNot) {
@@ -141,6 +169,45 @@ TEST(Separation, NeverPartsWhatTouches) {
     }
     EXPECT_GT(apart, 10'000u); // a test that always says no would also pass
     EXPECT_GT(10 * quick, 8 * slow);
+}
+
+TEST(Touched, AreAllCapsThatMeetAVolumeAndFewOthers) {
+    Random random(23);
+    std::size_t meeting = 0, found = 0, all = 0;
+    for (int i = 0; i < 40; ++i) {
+        const PlanePairShadow shadow = scatteredCaps(1 + random.below(70 * leafTriangles), random);
+        const auto size = static_cast<std::uint32_t>(shadow.caps.size());
+        for (int k = 0; k < 10; ++k) {
+            const CapRecord& near = shadow.caps[random.below(size)];
+            const glm::dvec3 corner = glm::dvec3(near.a) + 0.1 * random.inCube();
+            const glm::dvec3 right = 0.2 * random.inCube(), up = 0.2 * random.inCube();
+            const NearClipVolume volume{
+                {{corner, corner + right, corner + right + up, corner + up}},
+                glm::dvec4(2.0 * random.inCube(), random.below(2))};
+            const ClipVolumeFaces faces(volume);
+            Touched touched;
+            findTouching(faces, shadow.clusters[0], shadow, touched, size);
+            EXPECT_FALSE(touched.tooMany);
+            EXPECT_TRUE(std::ranges::is_sorted(touched.caps));
+            bool any = false;
+            for (std::uint32_t cap = 0; cap < size; ++cap) {
+                const CapRecord& of = shadow.caps[cap];
+                const std::array corners{glm::dvec3(of.a), glm::dvec3(of.b), glm::dvec3(of.c)};
+                // Not all that is apart from a sun's volume has an axis that tells.
+                if (faces.separate(corners) || areApart(volume, corners) ||
+                    (volume.light.w == 0.0 && areApart(volume, shadow.leaves[cap / leafTriangles])))
+                    continue;
+                any = true;
+                ++meeting;
+                EXPECT_TRUE(std::ranges::binary_search(touched.caps, cap));
+            }
+            EXPECT_EQ(any, anyCapTouches(faces, shadow.clusters[0], shadow));
+            found += touched.caps.size();
+            all += size;
+        }
+    }
+    EXPECT_GT(meeting, 10'000u);
+    EXPECT_LT(found, meeting + (all - meeting) / 4);
 }
 
 TEST(VolumePlan, AnObjectInViewTakesNoCapsAndHalfTheTriangles) {

@@ -74,15 +74,15 @@ void GrazedSurfaces::find(const Triangles& triangles, Grazed& grazed) {
         light.w == 0.0f ? glm::length(place) : glm::length(place) + triangles.farthest;
     const float most =
         reach * (static_cast<float>(LightContact::grazingSine) * 1.01f + planeRounding);
-    std::vector<glm::vec3> corners;
+    corners_.clear();
     const std::size_t end = grazed.smoothAlone ? triangles.smooth : triangles.order.size();
     triangles.planes.forNear(light, most, end, [&](std::size_t i) {
         const auto at = cornersOf(*triangles.geometry, triangles.order[i]);
         if (contactOf({at[0], at[1], at[2]}, grazed.light).grazes)
-            corners.insert(corners.end(), at.begin(), at.end());
+            corners_.insert(corners_.end(), at.begin(), at.end());
     });
-    grazed.count = static_cast<int>(corners.size());
-    if (grazed.count > 0) grazed.corners = gl::vertexBuffer<glm::vec3>(corners);
+    grazed.count = static_cast<int>(corners_.size());
+    if (grazed.count > 0) grazed.corners = gl::vertexBuffer<glm::vec3>(corners_);
 }
 
 void GrazedSurfaces::beginProgram() {

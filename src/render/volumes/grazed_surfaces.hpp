@@ -57,6 +57,7 @@ class GrazedSurfaces {
     std::optional<gl::Program> program_;
     std::map<const Geometry*, Triangles> triangles_;
     std::map<std::pair<std::size_t, std::size_t>, Grazed> grazed_; ///< by light and batch
+    std::vector<glm::vec3> corners_;                               ///< scratch space for find()
 };
 
 } // namespace edgeshade

@@ -20,10 +20,11 @@ void SilhouetteBuffers::uploadCapsOf(const PlanePairShadow& shadow, const Silhou
     auto& uploaded = gathered_.find(list.identity)->second.caps;
     if (uploaded.contains(cluster)) return;
     const RecordRange& caps = shadow.clusters[cluster].caps;
-    std::vector<CapRecord> facing;
+    caps_.clear();
+    caps_.reserve(list.lightFacingCaps[cluster]);
     for (std::uint32_t i = caps.first; i < caps.end(); ++i)
-        if (mayFaceTheLight(list.facings[i])) facing.push_back(shadow.caps[i]);
-    uploaded.emplace(cluster, uploadCaps(facing, {}, layout_));
+        if (mayFaceTheLight(list.facings[i])) caps_.push_back(shadow.caps[i]);
+    uploaded.emplace(cluster, uploadCaps(caps_, {}, layout_));
 }
 
 void SilhouetteBuffers::dropExpired() {

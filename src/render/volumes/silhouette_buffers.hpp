@@ -43,7 +43,9 @@ class SilhouetteBuffers {
   private:
     SidesLayout layout_;
     std::map<std::weak_ptr<const int>, Gathered, std::owner_less<>> gathered_;
-    std::vector<PairRecord> pairs_; ///< scratch space for the pairs of a list
+    // Scratch space for the pairs of a list, and the caps of a cluster.
+    std::vector<PairRecord> pairs_;
+    std::vector<CapRecord> caps_;
 };
 
 } // namespace edgeshade

@@ -141,6 +141,7 @@ double ClipVolumeFaces::turnAt(const glm::dvec3& a, const glm::dvec3& b,
 }
 
 bool ClipVolumeFaces::separate(const std::array<glm::dvec3, 3>& triangle) const {
+    const double turn = turnAt(triangle[0], triangle[1], triangle[2]);
     for (std::size_t i = 0; i < count_; ++i) {
         const Face& face = faces_[i];
         double highest = -std::numeric_limits<double>::infinity(), size = face.size;
@@ -148,8 +149,7 @@ bool ClipVolumeFaces::separate(const std::array<glm::dvec3, 3>& triangle) const 
             highest = std::max(highest, glm::dot(glm::dvec3(face.plane), corner) + face.plane.w);
             size = std::max(size, glm::dot(glm::abs(glm::dvec3(face.plane)), glm::abs(corner)));
         }
-        if (highest < -placingError * size - turnAt(triangle[0], triangle[1], triangle[2]))
-            return true;
+        if (highest < -placingError * size - turn) return true;
     }
     const glm::dvec3 normal = glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
     const double length = glm::length(normal);
@@ -165,11 +165,11 @@ bool ClipVolumeFaces::separate(const std::array<glm::dvec3, 3>& triangle) const 
 
 bool ClipVolumeFaces::separate(const Box& box) const {
     const glm::dvec3 largest = glm::max(glm::abs(box.low), glm::abs(box.high));
+    const double turn = turnAt(box.low, box.high, box.high);
     return std::any_of(faces_.begin(), faces_.begin() + count_, [&](const Face& face) {
         const double size =
             std::max(face.size, glm::dot(glm::abs(glm::dvec3(face.plane)), largest));
-        return largestOver(box, face.plane) <
-               -placingError * size - turnAt(box.low, box.high, box.high);
+        return largestOver(box, face.plane) < -placingError * size - turn;
     });
 }
 

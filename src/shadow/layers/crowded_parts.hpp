@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <span>
-#include <type_traits>
 #include <vector>
 
 namespace edgeshade {
@@ -36,14 +35,13 @@ class CrowdedParts {
     bool anyInSquare(int cell) const { return inSquare_[static_cast<std::size_t>(cell)] != 0; }
 
     /// Puts what touches the cell with an index, row * side + column, if it is crowded.
-    template <class Item>
-    void put(int index, const Item& item) {
+    void put(int index, const FaceSegment& segment) {
         const int cell = at_[static_cast<std::size_t>(index)];
-        if (cell < 0) return;
-        if constexpr (std::is_same_v<Item, FaceSegment>)
-            segments_.put(static_cast<std::uint32_t>(cell), item);
-        else
-            uncertain_.put(static_cast<std::uint32_t>(cell), item);
+        if (cell >= 0) segments_.put(static_cast<std::uint32_t>(cell), segment);
+    }
+    void put(int index, const FacePolygon& polygon) {
+        const int cell = at_[static_cast<std::size_t>(index)];
+        if (cell >= 0) uncertain_.put(static_cast<std::uint32_t>(cell), polygon);
     }
     /// The same for the cells among [left, right] of a row.
     template <class Item>

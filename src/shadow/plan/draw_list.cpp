@@ -188,7 +188,7 @@ class ClusterDraws {
     /// Number of caps of one kind, front or back, that are drawn for a cluster.
     std::uint32_t capCount(std::uint32_t cluster) const {
         const ShadowCluster& of = shadow_.clusters[cluster];
-        return knowsLightFacing(of) ? lightFacingCapCount(*silhouettes_, of) : of.caps.count;
+        return knowsLightFacing(of) ? silhouettes_->lightFacingCaps[cluster] : of.caps.count;
     }
 
     /// Whether fans replace the cluster's caps.

@@ -127,21 +127,32 @@ bool anySilhouette(std::vector<EdgeSign>& edges, const NearClipVolume& volume) {
     return false;
 }
 
+/// Number of neighbouring leaves whose common box is tested first, as most are far from the volume.
+constexpr std::size_t leavesPerTest = 8;
+
 /// Calls `use` with each cap that neither its leaf's box nor `faces` separates from the volume,
 /// until `use` returns true.
 template <class Use>
 void forCapsNear(const ClipVolumeFaces& faces, const ShadowCluster& cluster,
                  const PlanePairShadow& shadow, Use use) {
-    const auto isApart = [&](const Box& box) {
-        return faces.separate(box) || areApart(faces.volume(), box);
-    };
-    if (isApart(cluster.bounds)) return;
-    for (std::uint32_t p = 0; p < cluster.leaves.count; ++p) {
-        if (isApart(shadow.leaves[cluster.leaves.first + p])) continue;
-        const std::uint32_t first = cluster.caps.first + p * leafTriangles;
+    if (faces.separate(cluster.bounds)) return;
+    const std::span leaves(shadow.leaves.data() + cluster.leaves.first, cluster.leaves.count);
+    const auto usedIn = [&](std::size_t leaf) {
+        if (faces.separate(leaves[leaf]) || areApart(faces.volume(), leaves[leaf])) return false;
+        const auto first = static_cast<std::uint32_t>(cluster.caps.first + leaf * leafTriangles);
         const std::uint32_t end = std::min(first + leafTriangles, cluster.caps.end());
-        for (std::uint32_t i = first; i < end; ++i)
-            if (!faces.separate(cornersOf(shadow.caps[i])) && use(i)) return;
+        for (std::uint32_t cap = first; cap < end; ++cap)
+            if (!faces.separate(cornersOf(shadow.caps[cap])) && use(cap)) return true;
+        return false;
+    };
+    for (std::size_t first = 0; first < leaves.size(); first += leavesPerTest) {
+        const std::size_t end = std::min(first + leavesPerTest, leaves.size());
+        Box around;
+        for (const Box& leaf : leaves.subspan(first, end - first))
+            around.add(leaf);
+        if (faces.separate(around)) continue;
+        for (std::size_t leaf = first; leaf < end; ++leaf)
+            if (usedIn(leaf)) return;
     }
 }
 

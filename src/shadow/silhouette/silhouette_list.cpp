@@ -14,6 +14,14 @@ int facingOf(const std::vector<std::int8_t>& facings, PlaneOf plane) {
 
 constexpr std::uint32_t leastRoom = 64; // pairs that a list has room for, if it may get as many
 
+/// Number of a cluster's caps that may face the light.
+std::uint32_t lightFacingCaps(const std::vector<std::int8_t>& facings, const RecordRange& caps) {
+    std::uint32_t count = 0; // of the result's type, so that compilers vectorise the sum
+    for (std::uint32_t i = caps.first; i < caps.end(); ++i)
+        count += mayFaceTheLight(facings[i]) ? 1 : 0;
+    return count;
+}
+
 /// Gathers a list in `memory`, without a branch to mispredict: each entry is overwritten by the
 /// next unless it counts.
 class Appender {
@@ -57,18 +65,13 @@ void gatherPairs(const PlanePairShadow& shadow, const PairList& list,
         records.push_back(shadow.pairs[pair]);
 }
 
-std::uint32_t lightFacingCapCount(const SilhouetteList& proposal, const ShadowCluster& cluster) {
-    const auto first = proposal.facings.begin() + cluster.caps.first;
-    return static_cast<std::uint32_t>(
-        std::count_if(first, first + cluster.caps.count, mayFaceTheLight));
-}
-
 void listSilhouettes(const PlanePairShadow& shadow, const LightFacings& facings,
                      const LightBall& ball, int mantissaBits, SilhouetteList& proposal,
                      double range, ListMemory& memory) {
     facings.find(ball, mantissaBits, proposal.facings);
     Appender certain(proposal.certain, shadow.pairs.size(), memory.certain);
     Appender uncertain(proposal.uncertain, shadow.pairs.size(), memory.uncertain);
+    proposal.lightFacingCaps.clear();
     const glm::dvec3 center(ball.center);
     for (const ShadowCluster& cluster : shadow.clusters) {
         const bool reached = !isBeyond(cluster.bounds, center, range + ball.radius);
@@ -81,6 +84,7 @@ void listSilhouettes(const PlanePairShadow& shadow, const LightFacings& facings,
         }
         certain.endCluster();
         uncertain.endCluster();
+        proposal.lightFacingCaps.push_back(lightFacingCaps(proposal.facings, cluster.caps));
     }
     certain.end();
     uncertain.end();

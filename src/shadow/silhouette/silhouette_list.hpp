@@ -21,6 +21,8 @@ struct SilhouetteList {
     PairList certain;   ///< silhouettes for every light of the ball: multiplicity ±2 if all count
     PairList uncertain; ///< silhouettes for some, perhaps
     std::vector<std::int8_t> facings; ///< one per cap, see LightFacings
+    /// By cluster: number of caps that may face the light.
+    std::vector<std::uint32_t> lightFacingCaps;
     bool lightInPlane = true; ///< the light may be in the plane of an uncertain pair's triangle
     /// Identifies the list of a light and a batch, even if a later one has the same address.
     std::shared_ptr<const int> identity = nullptr;
@@ -32,9 +34,6 @@ struct SilhouetteList {
 /// Copies the listed records to `records`, which is emptied first.
 void gatherPairs(const PlanePairShadow& shadow, const PairList& list,
                  std::vector<PairRecord>& records);
-
-/// Number of a cluster's caps that may face the light.
-std::uint32_t lightFacingCapCount(const SilhouetteList& proposal, const ShadowCluster& cluster);
 
 /// Whether a cap with this facing, of SilhouetteList::facings, may face the light.
 inline bool mayFaceTheLight(std::int8_t facing) {
