@@ -27,7 +27,7 @@ template <class Archive>
 void transfer(Archive& archive, Maybe<PrimitiveMap> auto& map) {
     auto& tiles = map.tiles;
     archive(tiles.directional, tiles.mapFromWorld, tiles.tiles, tiles.depthSpan, tiles.shape,
-            tiles.farthestReceiver, map.size, map.header, map.entries, map.records, map.cutouts,
+            tiles.farthestReceiver, map.size, map.texels, map.headers, map.entries, map.cutouts,
             map.extended, map.longestList, map.meanList);
 }
 

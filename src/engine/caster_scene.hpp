@@ -43,8 +43,8 @@ class CasterScene {
     /// enough. Makes at most one merged mesh a call, so that no frame waits long.
     void mergeResting();
 
-    /// Uploads a mesh ahead of add(), and makes the tree of its triangles; dropped when nobody
-    /// holds the mesh any more.
+    /// Uploads a mesh ahead of add(), makes the tree of its triangles, and prepares its records for
+    /// fillLayers(); dropped when nobody holds the mesh any more.
     void upload(const PreparedMesh& mesh);
     /// Uploads all meshes that are missing on the GPU, each mesh once.
     void upload();

@@ -110,7 +110,7 @@ bool LookupWork::Data::step() {
                            task.settings.mostBytes});
     std::vector<Light> points;
     if (task.light.extent) points = lightPoints(task.light, task.settings.lightSamples);
-    if (built.why.empty()) built.map = packedPrimitiveMap(*fitting->map(), points);
+    if (built.why.empty()) built.map = packedPrimitiveMap(std::move(*fitting->map()), points);
     fitting.reset();
     return false;
 }

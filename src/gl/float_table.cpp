@@ -31,6 +31,13 @@ FloatTable::FloatTable(std::span<const glm::vec2> texels, const Capabilities& ca
     requireNoError(uploading);
 }
 
+FloatTable::FloatTable(std::span<const glm::vec4> pairs, std::size_t count,
+                       const Capabilities& capabilities) {
+    allocate(count, 2, capabilities);
+    fillRows(0, pairs.data(), count);
+    requireNoError(uploading);
+}
+
 FloatTable::FloatTable(std::span<const glm::vec4> texels, const Capabilities& capabilities) {
     allocate(texels.size(), 4, capabilities);
     fillRows(0, texels.data(), texels.size());

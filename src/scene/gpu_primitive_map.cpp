@@ -51,9 +51,10 @@ GpuPrimitiveMap uploadPrimitiveMap(const PrimitiveMap& map,
     gpu.mapFromWorld = map.tiles.mapFromWorld;
     gpu.size = static_cast<float>(map.size);
     gpu.longestList = static_cast<int>(std::bit_ceil(std::max(map.longestList, shortestBound)));
-    gpu.header = gl::FloatTable(std::span(map.header), capabilities);
-    gpu.entries = gl::FloatTable(std::span(map.entries), capabilities);
-    gpu.records = gl::FloatTable(std::span(map.records), capabilities);
+    const std::span texels(map.texels);
+    gpu.header = gl::FloatTable(texels, map.headers, capabilities);
+    gpu.entries = gl::FloatTable(texels.subspan(map.entriesBegin()), map.entries, capabilities);
+    gpu.records = gl::FloatTable(texels.subspan(map.recordsBegin()), capabilities);
     for (const auto& batch : triangles) {
         auto& chunks = gpu.sided.emplace_back();
         for (const SidedTriangles& chunk : batch)

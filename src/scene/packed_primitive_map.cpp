@@ -1,14 +1,10 @@
 #include "src/scene/packed_primitive_map.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace edgeshade {
 namespace {
-
-void addPairs(const std::vector<glm::vec2>& pairs, std::vector<glm::vec4>& texels) {
-    for (std::size_t i = 0; i < pairs.size(); i += 2)
-        texels.emplace_back(pairs[i], i + 1 < pairs.size() ? pairs[i + 1] : glm::vec2(0.0f));
-}
 
 /// Adds a light's shape and points.
 void addPlaces(const LightTiles& tiles, std::span<const Light> points,
@@ -34,18 +30,14 @@ void addPlaces(const LightTiles& tiles, std::span<const Light> points,
 
 } // namespace
 
-PackedPrimitiveMap packedPrimitiveMap(const PrimitiveMap& map, std::span<const Light> points) {
+PackedPrimitiveMap packedPrimitiveMap(PrimitiveMap map, std::span<const Light> points) {
     PackedPrimitiveMap packed;
     packed.kind = kindOf(map.tiles);
     packed.mapFromWorld = map.tiles.mapFromWorld;
     packed.size = map.size;
     packed.longestList = map.longestList;
-    packed.texels.reserve((map.header.size() + map.entries.size()) / 2 + 2 + map.records.size());
-    addPairs(map.header, packed.texels);
-    packed.begins[0] = packed.texels.size();
-    addPairs(map.entries, packed.texels);
-    packed.begins[1] = packed.texels.size();
-    packed.texels.insert(packed.texels.end(), map.records.begin(), map.records.end());
+    packed.begins = {map.entriesBegin(), map.recordsBegin()};
+    packed.texels = std::move(map.texels);
     if (!points.empty()) {
         packed.places = packed.texels.size();
         packed.sixteens = (points.size() + placesAtOnce - 1) / placesAtOnce;

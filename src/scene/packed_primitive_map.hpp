@@ -26,6 +26,6 @@ struct PackedPrimitiveMap {
 };
 
 /// `points`: of a light with an extent, else empty.
-PackedPrimitiveMap packedPrimitiveMap(const PrimitiveMap& map, std::span<const Light> points = {});
+PackedPrimitiveMap packedPrimitiveMap(PrimitiveMap map, std::span<const Light> points = {});
 
 } // namespace edgeshade

@@ -438,6 +438,19 @@ TEST(LayerSearch, KeepsNothingOfRecordsThatAreGone) {
     }
 }
 
+TEST(LayerSearch, RecordsThatWerePreparedAheadAreBoundAlike) {
+    LayerSearch search;
+    for (const int count : {150, 40, 220, 90}) {
+        const Scene scene = sheets(count);
+        const auto records = buildPlanePairs(scene, false);
+        for (const auto& of : records)
+            search.prepare(of);
+        const Light sun = test::sun({0.1, 1, 0.2});
+        EXPECT_EQ(search.bySilhouettes({scene, records}, sun, 255),
+                  LayerSearch().bySilhouettes({scene, records}, sun, 255));
+    }
+}
+
 /// The shared models; none: they are not there.
 std::vector<std::filesystem::path> modelFiles() {
     std::vector<std::filesystem::path> files;

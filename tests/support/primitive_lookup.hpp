@@ -24,9 +24,13 @@ struct Table {
     int columns = 256, rows = 1;
 
     Table() = default;
-    explicit Table(std::span<const vec2> pairs) {
-        for (const vec2& pair : pairs)
+    /// `count` pairs, two to each texel.
+    Table(std::span<const vec4> pairs, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) {
+            const vec4& two = pairs[i / 2];
+            const vec2 pair = i % 2 == 0 ? vec2(two.x, two.y) : vec2(two.z, two.w);
             texels.emplace_back(pair.x, pair.x, pair.x, pair.y); // luminance and alpha
+        }
         fit();
     }
     explicit Table(std::span<const vec4> whole) : texels(whole.begin(), whole.end()) { fit(); }
@@ -78,8 +82,9 @@ namespace edgeshade::test {
 class PrimitiveLookup {
   public:
     explicit PrimitiveLookup(const PrimitiveMap& map)
-        : map_(map), header_(std::span(map.header)), entries_(std::span(map.entries)),
-          records_(std::span(map.records)) {}
+        : map_(map), header_(map.texels, map.headers),
+          entries_(std::span(map.texels).subspan(map.entriesBegin()), map.entries),
+          records_(std::span(map.texels).subspan(map.recordsBegin())) {}
 
     bool lights(const glm::dvec3& world, bool casts) const {
         const glm::vec3 point(map_.tiles.mapFromWorld * glm::dvec4(world, 1.0));

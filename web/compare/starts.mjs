@@ -1,13 +1,17 @@
 // How building models start in a page of three.js: tasks above 50 ms, and when all meshes have their
 // shadows, and when the light is looked up, with edgeshade, with three.js's own map, and without
 // shadows, in turns. Each run has a page of its own. Prints JSON. Needs build/web and `npm ci`. With
-// edgeshade it also tells edgeshade's own share of each task, and its longest step.
+// edgeshade it also tells edgeshade's own share of each task, and its longest steps. On Linux it tells the processor time
+// of the page's thread and of each worker, oldest first.
 //
-//   node compare/starts.mjs [--turns 3] [--opens] [--only edgeshade] [MODEL...]
+//   node compare/starts.mjs [--turns 3] [--opens] [--draws-nothing] [--only edgeshade] [MODEL...]
 //
 // A MODEL is an address below the served folders, as /shared/hospital-electrical.glb, or a number of
 // meshes to draw in code. `--opens`: the page opens with the model; otherwise a page that runs gets it.
+// `--draws-nothing`: the GL's drawing calls do nothing, so that the page's thread and the workers are measured as on a
+// graphics card that keeps up; else all is drawn in software.
 
+import { readdirSync, readFileSync } from 'node:fs';
 import { loadavg } from 'node:os';
 import { parseArgs } from 'node:util';
 import { launchChromium } from '../tests/support/chromium.mjs';
@@ -20,13 +24,14 @@ const models = ['/shared/hospital-electrical.glb', '3000', '/shared/city.draco.g
  * In the page: adds the model, and draws until its light is looked up, at most 60 s, or for 3 s with the
  * other methods. Times are milliseconds since then; `tasks`: those above 50 ms, as browsers report them.
  */
-async function measured({ name, method, opens }) {
+async function measured({ name, method, opens, drawsNothing }) {
   const { three, loaded, whiten, rendererOf, lampOf, ExactShadows, rested, frame, rendererName } = window.page;
   const { building, viewOf } = await import('/tests/building.js');
   const { watchSteps } = await import('/tests/own-steps.js');
-  const { steps, follow } = watchSteps();
+  const { steps, map, follow } = watchSteps();
   const model = name.startsWith('/') ? await loaded(name) : building(Number(name));
   const renderer = rendererOf({ width: 320, height: 180 });
+  if (drawsNothing) (await import('/tests/null-gl.js')).drawNothing(renderer.getContext());
   renderer.shadowMap.enabled = method === 'map';
   const scene = new three.Scene();
   const [light, target] = lampOf({ kind: 'DirectionalLight', position: [0.5, 1, -0.3] });
@@ -79,18 +84,40 @@ async function measured({ name, method, opens }) {
   const ownIn = (from, to) => steps.reduce((sum, { at, ms }) => sum + Math.max(0, Math.min(at + ms, to) - Math.max(at, from)), 0);
   const longestSteps = steps.filter(({ at }) => at >= since).sort((a, b) => b.ms - a.ms).slice(0, 6)
     .map(({ what, at, ms }) => `${what} ${Math.round(at - since)}: ${ms.toFixed(1)}`);
-  return { renderer: rendererName(), meshes, frames, thereMs, lookedUpMs, longestSteps,
+  return { renderer: rendererName(), meshes, frames, thereMs, mapAskedMs: map.askedAt && map.askedAt - since,
+    mapCameMs: map.cameAt && map.cameAt - since, lookedUpMs, longestSteps, ownMs: steps.filter(({ at }) => at >= since).reduce((sum, { ms }) => sum + ms, 0),
     tasks: later.map(({ startTime, duration }) => ({ at: Math.round(startTime - since), ms: Math.round(duration),
       own: Math.round(ownIn(startTime, startTime + duration)) })) };
+}
+
+/** Ticks of the processor in a second, as Linux counts them in /proc. */
+const ticksPerSecond = 100;
+
+/** Seconds of processor time so far of the page's thread and its workers, oldest first: {name, seconds} by thread. */
+async function threadsOf(browser) {
+  const session = await browser.newBrowserCDPSession();
+  const { processInfo } = await session.send('SystemInfo.getProcessInfo');
+  await session.detach();
+  const threads = new Map();
+  for (const { id } of processInfo.filter(({ type }) => type === 'renderer'))
+    for (const thread of readdirSync(`/proc/${id}/task`)) {
+      const [, name, numbers] = readFileSync(`/proc/${id}/task/${thread}/stat`, 'utf8').match(/\((.*)\) (.*)/);
+      const [user, system] = numbers.split(' ').slice(11, 13);
+      if (name.startsWith('Dedicated') || thread === String(id))
+        threads.set(thread, { name: name.startsWith('Dedicated') ? 'worker' : 'page', seconds: (Number(user) + Number(system)) / ticksPerSecond });
+    }
+  return threads;
 }
 
 const { values: options, positionals } = parseArgs({ allowPositionals: true, options: {
   turns: { type: 'string', default: '3' },
   opens: { type: 'boolean', default: false },
+  'draws-nothing': { type: 'boolean', default: false },
   only: { type: 'string' },
 } });
 const methods = options.only ? [options.only] : ['edgeshade', 'map', 'none'];
-const server = await serve(), browser = await launchChromium({ composites: true });
+const { opens, 'draws-nothing': drawsNothing } = options;
+const server = await serve(), browser = await launchChromium({ composites: !drawsNothing });
 const runs = [];
 try {
   for (let turn = 0; turn < Number(options.turns); ++turn)
@@ -99,9 +126,12 @@ try {
         const page = await browser.newPage();
         await page.goto(`${server.address}/tests/three.html?three=three`);
         await page.waitForFunction(() => window.page);
-        const { tasks, ...others } = await page.evaluate(measured, { name, method, opens: options.opens });
+        const before = await threadsOf(browser);
+        const { tasks, ...others } = await page.evaluate(measured, { name, method, opens, drawsNothing });
+        const processorSeconds = [...await threadsOf(browser)].map(([thread, { name: of, seconds }]) =>
+          `${of} ${(seconds - (before.get(thread)?.seconds ?? 0)).toFixed(2)}`);
         const durations = tasks.map(({ ms }) => ms);
-        runs.push({ model: name, method, load: loadavg()[0], ...others, above50: tasks.length, longest: Math.max(0, ...durations),
+        runs.push({ model: name, method, load: loadavg()[0], ...others, processorSeconds, above50: tasks.length, longest: Math.max(0, ...durations),
           ownAbove50: tasks.filter(({ own }) => own > 50).length, longestOwn: Math.max(0, ...tasks.map(({ own }) => own)),
           tasks: tasks.map(({ at, ms, own }) => `${at}: ${ms} (${own})`).join(', ') });
         await page.close();
@@ -110,4 +140,4 @@ try {
   await browser.close();
   await server.close();
 }
-console.log(JSON.stringify({ opens: options.opens, runs }, null, 2));
+console.log(JSON.stringify({ opens, drawsNothing, runs }, null, 2));

@@ -37,9 +37,7 @@ LayerBound LayerSearch::bound(const LayerCasters& casters, std::span<const Light
 std::optional<std::size_t> LayerSearch::bySilhouettes(const LayerCasters& casters,
                                                       const Light& light, std::size_t limit,
                                                       const Box& receivers) {
-    // Records that nobody holds are of an earlier pose.
-    if (std::erase_if(chains_, [](const auto& item) { return item.second.records.expired(); }) > 0)
-        followed_.clear();
+    forgetReleased();
     const LightView view(light);
     faces_.resize(view.faces.size());
     for (FaceChain& face : faces_)
@@ -106,6 +104,16 @@ int LayerSearch::countAlong(const glm::dvec3& direction, std::span<const LitBatc
         met += trianglesAlong(direction, of.rays, *of.chain, of.followed->facings(), caps_);
     }
     return met;
+}
+
+void LayerSearch::prepare(const std::shared_ptr<const PlanePairShadow>& records) {
+    forgetReleased();
+    chainOf(records);
+}
+
+void LayerSearch::forgetReleased() {
+    if (std::erase_if(chains_, [](const auto& item) { return item.second.records.expired(); }) > 0)
+        followed_.clear();
 }
 
 const CasterChain& LayerSearch::chainOf(const std::shared_ptr<const PlanePairShadow>& records) {

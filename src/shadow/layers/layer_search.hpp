@@ -32,6 +32,9 @@ class LayerSearch {
     std::optional<std::size_t> bySilhouettes(const LayerCasters& casters, const Light& light,
                                              std::size_t limit, const Box& receivers = {});
 
+    /// Finds out about records ahead of a search for casters that have them.
+    void prepare(const std::shared_ptr<const PlanePairShadow>& records);
+
   private:
     struct Kept {
         std::weak_ptr<const PlanePairShadow> records;
@@ -59,6 +62,8 @@ class LayerSearch {
     /// At most how many certain triangles a ray from a point light meets; no fewer than on any ray
     /// that is next to it.
     int countAlong(const glm::dvec3& direction, std::span<const LitBatch> batches);
+    /// Forgets records that nobody holds: they are of an earlier pose.
+    void forgetReleased();
     const CasterChain& chainOf(const std::shared_ptr<const PlanePairShadow>& records);
 
     std::map<const PlanePairShadow*, Kept> chains_;

@@ -177,6 +177,10 @@ int lightSideOf(const std::array<glm::dvec3, 3>& corners, const glm::dvec4& ligh
 Occluders occludersOf(const Light& light, const LightTiles& tiles,
                       const std::vector<PlacedCasters>& casters) {
     Occluders occluders;
+    std::size_t most = 0;
+    for (const PlacedCasters& placed : casters)
+        most += placed.cast ? placed.casters->mesh.triangles.size() : 0;
+    occluders.all.reserve(most);
     for (const PlacedCasters& placed : casters)
         if (placed.cast) addOccluders(light, tiles, placed, occluders);
     return occluders;

@@ -37,38 +37,45 @@ inline int sizeForExtents(int size) {
 }
 
 /// Lists, by a light's rays, of the triangles that may shade what it sees (docs/method.md, C34);
-/// read by primitive_map_lookup.glsl. All three arrays become textures of floats in rows of
-/// `columns` texels.
+/// read by primitive_map_lookup.glsl.
 struct PrimitiveMap {
     LightTiles tiles;
     int size = 0;
-    /// One texel (dark behind, reference) for each of the tiles' texels, row by row and tile by
-    /// tile, then blocks of 4 x 4 for the parts of divided ones. A reference is 0: no list; > 0:
-    /// the start of a list in `entries`, plus a half if light-facing casters need none of it; < 0:
-    /// the negated start of a block.
-    std::vector<glm::vec2> header;
-    /// Lists, one after another from 1 on, of (name, nearest depth of the next entry or neverDark)
-    /// from near to far. A name is the record's number, or -1 - that number for an alpha-tested
-    /// triangle; plus a half if light-facing casters need no later entries.
-    std::vector<glm::vec2> entries;
-    /// Three texels per triangle: an edge in each xyz (Occluder::edges), the plane in the fourth
-    /// components. An alpha-tested triangle has three more: CutoutPlanes' u, v, alpha, with u's
-    /// fourth component naming the record of its texture: (place, size) in the atlas, (cutoff, wrap
-    /// along u, along v, linear or not). The texels of a texture of its own follow its record, and
-    /// the place is (their first index, 0). A tinted triangle has (1 or 0 for each edge: rays on it
-    /// are its own; the record of its tint), and CutoutPlanes' u and v. A tint is (red, green,
-    /// blue, -1), then as a texture; its texels are those of red, of green and of blue.
-    std::vector<glm::vec4> records;
-    bool cutouts = false; ///< some triangles are alpha-tested, or tinted
+    /// Header, entries and records, each from a whole texel on, so that a host can take them as one
+    /// table without a copy.
+    ///
+    /// The header has one pair (dark behind, reference) for each of the tiles' texels, row by row
+    /// and tile by tile, then blocks of 4 x 4 for the parts of divided ones. A reference is 0: no
+    /// list; > 0: the start of a list among the entries, plus a half if light-facing casters need
+    /// none of it; < 0: the negated start of a block.
+    ///
+    /// Entries are pairs, too: lists, one after another from 1 on, of (name, nearest depth of the
+    /// next entry or neverDark) from near to far. A name is the record's number, or -1 - that
+    /// number for an alpha-tested triangle; plus a half if light-facing casters need no later
+    /// entries.
+    ///
+    /// Records have three texels per triangle: an edge in each xyz (Occluder::edges), the plane in
+    /// the fourth components. An alpha-tested triangle has three more: CutoutPlanes' u, v, alpha,
+    /// with u's fourth component naming the record of its texture: (place, size) in the atlas,
+    /// (cutoff, wrap along u, along v, linear or not). The texels of a texture of its own follow
+    /// its record, and the place is (their first index, 0). A tinted triangle has (1 or 0 for each
+    /// edge: rays on it are its own; the record of its tint), and CutoutPlanes' u and v. A tint is
+    /// (red, green, blue, -1), then as a texture; its texels are those of red, of green and of
+    /// blue.
+    std::vector<glm::vec4> texels;
+    std::size_t headers = 0, entries = 0; ///< numbers of pairs
+    bool cutouts = false;                 ///< some triangles are alpha-tested, or tinted
     /// For a light with an extent (docs/method.md, C42): records are three texels per triangle, its
     /// corners in map space, sorted by x, then y, then z.
     bool extended = false;
     std::size_t longestList = 0;
     double meanList = 0.0; ///< average entries per list
 
+    std::size_t entriesBegin() const { return (headers + 1) / 2; } ///< first texel
+    std::size_t recordsBegin() const { return entriesBegin() + (entries + 1) / 2; }
+    std::size_t records() const { return texels.size() - recordsBegin(); } ///< number of texels
     std::size_t bytes() const {
-        return header.size() * sizeof(glm::vec2) + entries.size() * sizeof(glm::vec2) +
-               records.size() * sizeof(glm::vec4);
+        return (headers + entries) * sizeof(glm::vec2) + records() * sizeof(glm::vec4);
     }
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <tuple>
 #ifndef __EMSCRIPTEN__
@@ -59,11 +60,24 @@ void addCorners(const Occluder& occluder, std::vector<glm::vec4>& records) {
         records.emplace_back(corner, 0.0f);
 }
 
+/// Sets the pair of this number in the texel that has it.
+void setPair(glm::vec4& texel, std::size_t pair, const glm::vec2& to) {
+    if (pair % 2 == 0) {
+        texel.x = to.x;
+        texel.y = to.y;
+    } else {
+        texel.z = to.x;
+        texel.w = to.y;
+    }
+}
+
 /// A map's records, one for each triangle and each texture, made on first use.
 class Records {
   public:
-    Records(const Occluders& occluders, const CutoutTextures& textures, PrimitiveMap& map)
-        : occluders_(occluders), textures_(textures), map_(map),
+    /// `records`: where they are added.
+    Records(const Occluders& occluders, const CutoutTextures& textures, bool extended,
+            std::vector<glm::vec4>& records)
+        : occluders_(occluders), textures_(textures), extended_(extended), records_(records),
           recordOf_(occluders.all.size(), none), textureOf_(textures.size(), none) {}
 
     /// The occluder's name in an entry.
@@ -73,37 +87,40 @@ class Records {
         if (record == none) {
             const std::uint32_t texture = of.isSolid() ? none : textureRecord(of);
             record = next();
-            if (map_.extended)
-                addCorners(of, map_.records);
+            if (extended_)
+                addCorners(of, records_);
             else
-                addRecord(of, map_.records);
+                addRecord(of, records_);
             if (texture != none) addCutout(of, texture);
         }
         const auto name = static_cast<float>(record);
         return of.isSolid() ? name : -1.0f - name;
     }
 
+    /// Whether a record is that of an alpha-tested or tinted triangle.
+    bool hasCutouts() const { return hasCutouts_; }
+
   private:
     static constexpr std::uint32_t none = ~std::uint32_t{0};
 
-    std::uint32_t next() const { return static_cast<std::uint32_t>(map_.records.size() / 3); }
+    std::uint32_t next() const { return static_cast<std::uint32_t>(records_.size() / 3); }
 
     std::uint32_t textureRecord(const Occluder& occluder) {
         const std::uint32_t material = occluders_.cutouts[occluder.cutout].material;
         std::uint32_t& record = textureOf_[material];
         if (record != none) return record;
         record = next();
-        map_.cutouts = true;
+        hasCutouts_ = true;
         const CutoutTexture& texture = textures_[material];
         const glm::ivec2 place = texture.own ? glm::ivec2(3 * record + 3, 0) : texture.place;
-        if (texture.tint) map_.records.emplace_back(*texture.tint, -1.0f);
-        map_.records.emplace_back(place, texture.size);
-        map_.records.emplace_back(texture.cutoff, static_cast<int>(texture.wrapS),
-                                  static_cast<int>(texture.wrapT), texture.linear ? 1.0f : 0.0f);
-        if (!texture.tint) map_.records.emplace_back(0.0f);
+        if (texture.tint) records_.emplace_back(*texture.tint, -1.0f);
+        records_.emplace_back(place, texture.size);
+        records_.emplace_back(texture.cutoff, static_cast<int>(texture.wrapS),
+                              static_cast<int>(texture.wrapT), texture.linear ? 1.0f : 0.0f);
+        if (!texture.tint) records_.emplace_back(0.0f);
         if (texture.own) {
-            map_.records.insert(map_.records.end(), texture.own->begin(), texture.own->end());
-            map_.records.resize((map_.records.size() + 2) / 3 * 3, glm::vec4(0.0f));
+            records_.insert(records_.end(), texture.own->begin(), texture.own->end());
+            records_.resize((records_.size() + 2) / 3 * 3, glm::vec4(0.0f));
         }
         return record;
     }
@@ -112,19 +129,19 @@ class Records {
         const CutoutPlanes& planes = occluders_.cutouts[of.cutout];
         if (textures_[planes.material].tint) {
             const auto taken = [&](std::size_t i) { return of.takesEdge[i] ? 1.0f : 0.0f; };
-            map_.records.insert(map_.records.end(),
-                                {glm::vec4(taken(0), taken(1), taken(2), texture),
-                                 glm::vec4(planes.u, 0.0f), glm::vec4(planes.v, 0.0f)});
+            records_.insert(records_.end(), {glm::vec4(taken(0), taken(1), taken(2), texture),
+                                             glm::vec4(planes.u, 0.0f), glm::vec4(planes.v, 0.0f)});
             return;
         }
-        map_.records.emplace_back(glm::vec3(planes.u), static_cast<float>(texture));
-        map_.records.emplace_back(glm::vec3(planes.v), 0.0f);
-        map_.records.emplace_back(glm::vec3(planes.alpha), 0.0f);
+        records_.emplace_back(glm::vec3(planes.u), static_cast<float>(texture));
+        records_.emplace_back(glm::vec3(planes.v), 0.0f);
+        records_.emplace_back(glm::vec3(planes.alpha), 0.0f);
     }
 
     const Occluders& occluders_;
     const CutoutTextures& textures_;
-    PrimitiveMap& map_;
+    bool extended_, hasCutouts_ = false;
+    std::vector<glm::vec4>& records_;
     std::vector<std::uint32_t> recordOf_, textureOf_;
 };
 
@@ -134,18 +151,33 @@ class Records {
 class PrimitiveMapBuilder::PartBuilder {
   public:
     PartBuilder(PrimitiveMapBuilder& builder, Part& part)
-        : builder_(builder), part_(part), tile_(builder.footprintsOf(part.tile)) {
+        : builder_(builder), part_(part), tile_(builder.footprintsOf(part.tile)),
+          divided_(static_cast<std::size_t>(builder.settings_.mostSplits)) {
         part_.texels.resize(static_cast<std::size_t>(part_.side) *
                             static_cast<std::size_t>(part_.side));
     }
 
-    /// Fills the texels of a square within the part, from candidates that may touch it.
-    void fill(int x, int y, int side, const std::vector<std::uint32_t>& candidates) {
-        if (candidates.empty() || builder_.tooLarge_) return;
-        const RaySquare square = builder_.squareOf(x, y, side);
-        TexelOccluders found;
-        findOccluders(tile_, candidates, square, builder_.settings_.othersReceive, found);
-        builder_.charge(0, candidates.size());
+    /// Fills the part's texels.
+    void fill() {
+        fill(part_.x, part_.y, part_.side, part_.candidates, part_.candidates.size(), 0);
+    }
+
+  private:
+    static constexpr std::size_t squares = pieces * pieces;
+    using Candidates = std::vector<std::uint32_t>;
+    using Found = std::array<TexelOccluders, squares>; ///< of pieces, row by row
+    using Divided = std::array<Candidates, squares>;   ///< the same
+
+    /// Fills the texels of a square within the part. `candidates`: all that may touch it, of
+    /// `looks` that were examined. `depth`: of the division.
+    void fill(int x, int y, int side, const Candidates& candidates, std::size_t looks,
+              std::size_t depth) {
+        if (looks == 0 || builder_.tooLarge_) return;
+        if (filled_.size() == depth) filled_.push_back(std::make_unique<Filled>());
+        auto& [found, divided] = *filled_[depth];
+        findOccluders(tile_, candidates, builder_.squareOf(x, y, side),
+                      builder_.settings_.othersReceive, found);
+        builder_.charge(0, looks);
         if (found.touching.empty()) return;
         if (side == 1) {
             Texel& texel = part_.texels[static_cast<std::size_t>(y - part_.y) *
@@ -155,60 +187,102 @@ class PrimitiveMapBuilder::PartBuilder {
             return;
         }
         const int step = std::max(1, side / pieces);
+        divide({x, y}, step, found.touching, divided);
         for (int j = 0; j < side; j += step)
-            for (int i = 0; i < side; i += step)
-                fill(x + i, y + j, step, found.touching);
+            for (int i = 0; i < side; i += step) {
+                const auto piece = static_cast<std::size_t>(j / step * pieces + i / step);
+                fill(x + i, y + j, step, divided[piece], found.touching.size(), depth + 1);
+            }
     }
 
-  private:
+    /// The candidates that each of 4 x 4 squares may touch, by their boxes alone.
+    void divide(const glm::dvec2& at, double step, const Candidates& candidates,
+                Divided& divided) const {
+        for (Candidates& of : divided)
+            of.clear();
+        std::array<RaySquare, pieces> diagonal; // the columns' x, and the rows' y
+        for (int i = 0; i < pieces; ++i)
+            diagonal[static_cast<std::size_t>(i)] =
+                builder_.squareOf(at.x + i * step, at.y + i * step, step);
+        for (const std::uint32_t candidate : candidates) {
+            const Footprint& print = tile_.prints[candidate];
+            unsigned columns = 0, rows = 0;
+            for (unsigned i = 0; i < pieces; ++i) {
+                const RaySquare& square = diagonal[i];
+                const auto misses = [&](glm::length_t axis) {
+                    return !tile_.spread.any() && (print.high[axis] < square.low[axis] ||
+                                                   print.low[axis] > square.high[axis]);
+                };
+                columns |= misses(0) ? 0u : 1u << i;
+                rows |= misses(1) ? 0u : 1u << i;
+            }
+            for (unsigned row = 0; row < pieces; ++row)
+                for (unsigned column = 0; column < pieces; ++column)
+                    if ((rows >> row & columns >> column & 1u) != 0)
+                        divided[row * pieces + column].push_back(candidate);
+        }
+    }
+
     /// The reference for a texel, or a piece of one, with the occluders `found` in it.
     Texel settle(const glm::dvec2& at, double side, const TexelOccluders& found, int splits) {
         Texel texel;
-        texel.darkBehind = found.darkBehind;
+        texel.darkBehind = roundedUp(found.darkBehind);
         const PrimitiveMapSettings& settings = builder_.settings_;
         if (found.listed.empty() || builder_.tooLarge_) return texel;
         const bool isLong = found.forCasters > settings.splitAbove && splits < settings.mostSplits;
-        const Pieces divided = isLong ? piecesOf(at, side, found) : Pieces();
-        if (!isLong || !areShorter(divided, found)) {
-            texel.kind = Texel::Kind::list;
-            texel.index = part_.lists.size();
-            builder_.charge(found.listed.size(), 0);
-            builder_.chargeList(found.listed.size());
-            part_.lists.push_back({part_.listed.size(), found.listed.size(), found.forCasters});
-            part_.listed.insert(part_.listed.end(), found.listed.begin(), found.listed.end());
+        const Found* const divided = isLong ? &piecesOf(at, side, found, splits) : nullptr;
+        if (!divided || !areShorter(*divided, found)) {
+            texel.reference = static_cast<std::int32_t>(part_.lists.size() + 1);
+            addList(found);
             return texel;
         }
-        texel.kind = Texel::Kind::block;
-        texel.index = part_.blocks.size();
-        part_.blocks.resize(part_.blocks.size() + divided.size());
-        builder_.charge(divided.size(), 0);
-        for (std::size_t i = 0; i < divided.size(); ++i) {
-            const Texel piece = settle(placeOf(i, at, side), side / pieces, divided[i], splits + 1);
-            part_.blocks[texel.index + i] = piece; // settling may have moved the blocks
+        const std::size_t block = part_.blocks.size();
+        texel.reference = -static_cast<std::int32_t>(block + 1);
+        part_.blocks.resize(block + squares);
+        builder_.charge(squares, 0);
+        for (std::size_t i = 0; i < squares; ++i) {
+            const Texel piece =
+                settle(placeOf(i, at, side), side / pieces, (*divided)[i], splits + 1);
+            part_.blocks[block + i] = piece; // settling may have moved the blocks
         }
         return texel;
     }
 
-    using Pieces = std::vector<TexelOccluders>; ///< row by row
+    void addList(const TexelOccluders& found) {
+        const std::size_t count = found.listed.size();
+        builder_.charge(count, 0);
+        builder_.chargeList(count);
+        part_.lists.push_back({static_cast<std::uint32_t>(part_.entries.size()),
+                               static_cast<std::uint32_t>(count),
+                               static_cast<std::uint32_t>(found.forCasters)});
+        for (std::size_t i = 0; i < count; ++i)
+            part_.entries.push_back(
+                {found.listed[i].print,
+                 i + 1 < count ? roundedDown(found.listed[i + 1].nearest) : neverDark});
+    }
 
     static glm::dvec2 placeOf(std::size_t piece, const glm::dvec2& at, double side) {
         return at + side / pieces * glm::dvec2(piece % pieces, piece / pieces);
     }
 
-    Pieces piecesOf(const glm::dvec2& at, double side, const TexelOccluders& found) {
-        Pieces divided(pieces * pieces);
-        builder_.charge(0, divided.size() * found.touching.size());
-        for (std::size_t i = 0; i < divided.size(); ++i) {
+    /// The result is valid until the next call with as many splits.
+    const Found& piecesOf(const glm::dvec2& at, double side, const TexelOccluders& found,
+                          int splits) {
+        auto& of = divided_[static_cast<std::size_t>(splits)];
+        if (!of) of = std::make_unique<Found>();
+        builder_.charge(0, squares * found.touching.size());
+        divide(at, side / pieces, found.touching, candidates_);
+        for (std::size_t i = 0; i < squares; ++i) {
             const glm::dvec2 from = placeOf(i, at, side);
-            findOccluders(tile_, found.touching, builder_.squareOf(from.x, from.y, side / pieces),
-                          builder_.settings_.othersReceive, divided[i]);
+            findOccluders(tile_, candidates_[i], builder_.squareOf(from.x, from.y, side / pieces),
+                          builder_.settings_.othersReceive, (*of)[i]);
         }
-        return divided;
+        return *of;
     }
 
     /// Whether dividing is worth its memory: where many triangles are behind each other, like
     /// leaves, pieces have as many of them as the whole.
-    static bool areShorter(const Pieces& divided, const TexelOccluders& whole) {
+    static bool areShorter(const Found& divided, const TexelOccluders& whole) {
         std::size_t sum = 0;
         for (const TexelOccluders& piece : divided)
             sum += piece.forCasters;
@@ -219,6 +293,14 @@ class PrimitiveMapBuilder::PartBuilder {
     PrimitiveMapBuilder& builder_;
     Part& part_;
     TileFootprints tile_;
+    // Kept from call to call, so that few need memory of their own.
+    struct Filled {
+        TexelOccluders found;
+        Divided divided;
+    };
+    std::vector<std::unique_ptr<Filled>> filled_; ///< by depth of the division
+    std::vector<std::unique_ptr<Found>> divided_; ///< by number of splits
+    Divided candidates_;
 };
 
 PrimitiveMapBuilder::PrimitiveMapBuilder(const Light& light,
@@ -235,6 +317,7 @@ PrimitiveMapBuilder::PrimitiveMapBuilder(const Light& light,
     }
     prints_.resize(tiles_.tiles.size());
     for (std::size_t tile = 0; tile < prints_.size(); ++tile) {
+        if (prints_.size() == 1) prints_[tile].prints.reserve(occluders_.all.size());
         for (std::size_t i = 0; i < occluders_.all.size(); ++i) {
             auto print =
                 footprintOf(occluders_.all[i], static_cast<std::uint32_t>(i), tiles_, tile);
@@ -341,8 +424,12 @@ void PrimitiveMapBuilder::divideIntoParts(std::size_t tile) {
 
 void PrimitiveMapBuilder::buildPart(std::size_t index) {
     Part& part = parts_[index];
-    PartBuilder(*this, part).fill(part.x, part.y, part.side, part.candidates);
+    PartBuilder(*this, part).fill();
     part.candidates = {};
+    // The parts' arrays take as much memory as the map; what they grew by is free for the next one.
+    part.blocks.shrink_to_fit();
+    part.lists.shrink_to_fit();
+    part.entries.shrink_to_fit();
 }
 
 std::optional<PrimitiveMap> PrimitiveMapBuilder::join() {
@@ -353,17 +440,28 @@ std::optional<PrimitiveMap> PrimitiveMapBuilder::join() {
     map.extended = tiles_.shape.has_value();
     const auto size = static_cast<std::size_t>(settings_.size);
     // The arrays take most of a map's memory: none grows step by step, and parts are let go of.
-    std::size_t blocks = 0, listed = 0;
+    std::size_t blocks = 0, entries = 0;
     for (const Part& part : parts_) {
         blocks += part.blocks.size();
-        listed += part.listed.size();
+        entries += part.entries.size();
     }
-    map.header.reserve(tiles_.tiles.size() * size * size + blocks);
-    map.entries.reserve(1 + listed);
-    map.entries.emplace_back(0.0f); // so that 0 names no list
-    map.header.resize(tiles_.tiles.size() * size * size, glm::vec2(neverDark, 0.0f));
-    Records records(occluders_, settings_.cutouts, map);
-    std::size_t lists = 0;
+    map.headers = tiles_.tiles.size() * size * size + blocks;
+    std::vector<glm::vec4> records;
+    records.reserve(3 * occluders_.all.size());
+    map.texels.reserve(map.entriesBegin() + entries / 2 + 1 + records.capacity());
+    map.texels.resize(map.entriesBegin(), glm::vec4(0.0f));
+    const auto setHeader = [&](std::size_t at, const glm::vec2& pair) {
+        setPair(map.texels[at / 2], at, pair);
+    };
+    const auto addEntry = [&](const glm::vec2& pair) {
+        if (map.entries % 2 == 0) map.texels.emplace_back(0.0f);
+        setPair(map.texels.back(), map.entries++, pair);
+    };
+    addEntry(glm::vec2(0.0f)); // so that 0 names no list
+    for (std::size_t i = 0; i < map.headers - blocks; ++i)
+        setHeader(i, {neverDark, 0.0f});
+    Records names(occluders_, settings_.cutouts, map.extended, records);
+    std::size_t lists = 0, nextBlock = map.headers - blocks;
     for (Part& from : parts_) {
         const Part part = std::move(from);
         const std::vector<Footprint>& prints = prints_[part.tile].prints;
@@ -371,38 +469,37 @@ std::optional<PrimitiveMap> PrimitiveMapBuilder::join() {
         lists += part.lists.size();
         for (std::size_t l = 0; l < part.lists.size(); ++l) {
             const List& list = part.lists[l];
-            listAt[l] =
-                static_cast<float>(map.entries.size()) + (list.forCasters == 0 ? endsHere : 0.0f);
-            map.longestList = std::max(map.longestList, list.count);
-            const std::size_t end = list.first + list.count;
-            for (std::size_t i = list.first; i < end; ++i) {
-                const float name = records.nameOf(prints[part.listed[i].print].occluder);
-                const float next =
-                    i + 1 < end ? roundedDown(part.listed[i + 1].nearest) : neverDark;
-                const bool isLast = i + 1 == list.first + list.forCasters;
-                map.entries.emplace_back(name + (isLast ? endsHere : 0.0f), next);
+            listAt[l] = static_cast<float>(map.entries) + (list.forCasters == 0 ? endsHere : 0.0f);
+            map.longestList = std::max<std::size_t>(map.longestList, list.count);
+            for (std::uint32_t i = 0; i < list.count; ++i) {
+                const Entry& entry = part.entries[list.first + i];
+                const float name = names.nameOf(prints[entry.print].occluder);
+                const bool isLast = i + 1 == list.forCasters;
+                addEntry({name + (isLast ? endsHere : 0.0f), entry.next});
             }
         }
-        const std::size_t firstBlock = map.header.size();
-        const auto texelOf = [&](const Texel& texel) {
-            const float reference = texel.kind == Texel::Kind::list ? listAt[texel.index]
-                                    : texel.kind == Texel::Kind::block
-                                        ? -static_cast<float>(firstBlock + texel.index)
-                                        : 0.0f;
-            return glm::vec2(roundedUp(texel.darkBehind), reference);
+        const std::size_t firstBlock = nextBlock;
+        const auto pairOf = [&](const Texel& texel) {
+            const std::int32_t at = texel.reference;
+            float reference = 0.0f;
+            if (at > 0) reference = listAt[static_cast<std::size_t>(at - 1)];
+            if (at < 0)
+                reference = -static_cast<float>(firstBlock + static_cast<std::size_t>(-1 - at));
+            return glm::vec2(texel.darkBehind, reference);
         };
         for (const Texel& texel : part.blocks)
-            map.header.push_back(texelOf(texel));
+            setHeader(nextBlock++, pairOf(texel));
         for (std::size_t i = 0; i < part.texels.size(); ++i) {
             const auto side = static_cast<std::size_t>(part.side);
             const std::size_t x = static_cast<std::size_t>(part.x) + i % side;
             const std::size_t y = static_cast<std::size_t>(part.y) + i / side;
-            map.header[(part.tile * size + y) * size + x] = texelOf(part.texels[i]);
+            setHeader((part.tile * size + y) * size + x, pairOf(part.texels[i]));
         }
     }
-    if (lists > 0)
-        map.meanList = static_cast<double>(map.entries.size() - 1) / static_cast<double>(lists);
-    const std::size_t most = std::max({map.header.size(), map.entries.size(), map.records.size()});
+    map.cutouts = names.hasCutouts();
+    map.texels.insert(map.texels.end(), records.begin(), records.end());
+    if (lists > 0) map.meanList = static_cast<double>(map.entries - 1) / static_cast<double>(lists);
+    const std::size_t most = std::max({map.headers, map.entries, map.records()});
     if (map.bytes() > settings_.mostBytes || most > mostReferences) return std::nullopt;
     return map;
 }

@@ -37,23 +37,28 @@ class PrimitiveMapBuilder {
     std::optional<PrimitiveMap> join();
 
   private:
-    /// A reference within a part: to a list, to a block of children, or to nothing.
+    /// A texel of the header whose reference is to its own part: 0: none; > 0: a list's number
+    /// plus 1; < 0: the negated index of a block's first texel, minus 1.
     struct Texel {
-        double darkBehind = std::numeric_limits<double>::infinity();
-        enum class Kind { none, list, block } kind = Kind::none;
-        std::size_t index = 0;
+        float darkBehind = neverDark;
+        std::int32_t reference = 0;
     };
     struct List {
-        std::size_t first = 0, count = 0, forCasters = 0;
+        std::uint32_t first = 0, count = 0, forCasters = 0;
     };
-    /// A square of a tile's texels.
+    /// An entry that names its footprint in place of a record.
+    struct Entry {
+        std::uint32_t print = 0;
+        float next = neverDark; ///< nearest depth of the next entry
+    };
+    /// A square of a tile's texels. Its arrays are most of what building takes.
     struct Part {
         std::size_t tile = 0;
         int x = 0, y = 0, side = 0;
         std::vector<std::uint32_t> candidates;
         std::vector<Texel> texels, blocks;
         std::vector<List> lists;
-        std::vector<ListedOccluder> listed;
+        std::vector<Entry> entries;
     };
     struct Tile {
         std::vector<Footprint> prints;

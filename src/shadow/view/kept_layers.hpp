@@ -18,6 +18,11 @@ class KeptLayers {
 
     void clear() { kept_.clear(); }
 
+    /// Finds out about records ahead of a fill() for casters that have them.
+    void prepare(const std::shared_ptr<const PlanePairShadow>& records) {
+        search_.prepare(records);
+    }
+
   private:
     struct Kept {
         glm::dvec4 light; ///< its position

@@ -5,10 +5,11 @@ const mostMicrotasks = 50;
 
 /**
  * Times all later steps of engines that are created after this call: timers, and answers of workers. Returns
- * {steps, follow(shadows)}; `steps`: {at, ms, what} of each, milliseconds; follow() times the masks of frames, too.
+ * {steps, map, follow(shadows)}; `steps`: {at, ms, what} of each, milliseconds; `map`: when the last map was sent to
+ * its worker, and when it came; follow() times the masks of frames, too.
  */
 export function watchSteps() {
-  const steps = [];
+  const steps = [], map = { askedAt: null, cameAt: null };
   const note = (what, at) => steps.push({ what, at, ms: performance.now() - at });
   const timed = (what, act) => async function (...given) {
     const at = performance.now();
@@ -18,8 +19,17 @@ export function watchSteps() {
   };
   const { setTimeout: original } = window;
   window.setTimeout = (act, ...given) => original(typeof act === 'function' ? timed('timer', act) : act, ...given);
+  const { postMessage } = Worker.prototype;
+  Worker.prototype.postMessage = function (message, ...given) {
+    if (message.task) map.askedAt = performance.now();
+    return postMessage.call(this, message, ...given);
+  };
   const { set } = Object.getOwnPropertyDescriptor(Worker.prototype, 'onmessage');
-  Object.defineProperty(Worker.prototype, 'onmessage', { set(act) { set.call(this, act && timed('answer', act)); }, configurable: true });
+  const answered = (act) => timed('answer', function (event) {
+    if (event.data.result?.texels) map.cameAt = performance.now();
+    act.call(this, event);
+  });
+  Object.defineProperty(Worker.prototype, 'onmessage', { set(act) { set.call(this, act && answered(act)); }, configurable: true });
   const follow = (shadows) => {
     for (const name of ['beginMasks', 'endMasks']) {
       const act = shadows[name].bind(shadows);
@@ -34,5 +44,5 @@ export function watchSteps() {
     }
     return shadows;
   };
-  return { steps, follow };
+  return { steps, map, follow };
 }
