@@ -50,7 +50,7 @@ const pace = (page, speed) => page.evaluate((wanted) => new Promise((resolve) =>
 }), speed);
 
 test('a dropped .glb plays, and pauses where it is', async () => {
-  const page = await shared.open('/');
+  const page = await shared.open(smallPage);
   await drop(page, [{ name: 'moving.glb', bytes: smallGlb() }]);
   await page.waitForFunction(() => document.querySelector('#scene-name').textContent.startsWith('moving.glb'));
   assert.equal(await page.evaluate(() => document.querySelector('#viewer').animationSeconds), duration);
@@ -134,7 +134,7 @@ async function requireNative(page, name, clip) {
 }
 
 test('a figure with a skin walks, and waves when that clip is chosen', async () => {
-  const page = await shared.open('/', { size });
+  const page = await shared.open(smallPage, { size });
   await dropped(page, 'walking-figure.glb');
   assert.deepEqual(await page.evaluate(() => [...document.querySelector('#clip').options].map(({ text }) => text)),
     ['walk', 'wave', 'jump']);
@@ -162,7 +162,7 @@ test('a figure with a skin walks, and waves when that clip is chosen', async () 
 });
 
 test('a ball with morph targets morphs', async () => {
-  const page = await shared.open('/', { size });
+  const page = await shared.open(smallPage, { size });
   await dropped(page, 'morphing-ball.glb');
   for (const time of [0.25, 1, 1.5]) {
     await change(page, { time });

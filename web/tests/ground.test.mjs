@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { loaded, settled, stateOf, useBrowser } from './support/browser.mjs';
+import { loaded, settled, smallElement, stateOf, useBrowser } from './support/browser.mjs';
 import { rendered } from './support/native.mjs';
 import { compare, picture } from './support/pictures.mjs';
 import { smallGltf } from './support/scenes.mjs';
@@ -29,7 +29,7 @@ const change = async (page, changes) => {
 };
 
 test('a scene without a floor gets a ground that catches shadow, others none', async () => {
-  const page = await shared.open('/tests/plain.html');
+  const page = await shared.open(smallElement);
   await show(page, pillar());
   assert.equal((await stateOf(page)).ground, 'catcher');
   await show(page, smallGltf());
@@ -38,7 +38,7 @@ test('a scene without a floor gets a ground that catches shadow, others none', a
 });
 
 test('grounds look as they do natively', async () => {
-  const page = await shared.open('/tests/plain.html');
+  const page = await shared.open(smallElement);
   const scene = pillar();
   await show(page, scene);
   await change(page, { camera, ambient: 0.4, lights: [[0.5, 1, 0.3, 0]] });

@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { drop, loaded, noticesOf, settled, stateOf, useBrowser, waitForNotice } from './support/browser.mjs';
+import { drop, loaded, noticesOf, settled, smallElement, stateOf, useBrowser, waitForNotice } from './support/browser.mjs';
 import { packed, rendered } from './support/native.mjs';
 import { compare, picture } from './support/pictures.mjs';
 import { dataUri } from './support/png.mjs';
@@ -12,7 +12,7 @@ const shared = useBrowser();
 const eye = { camera: { from: [5, 6, 8], to: [0, 0.8, 0], fov: 40 }, lights: [[0.5, 1, 0.3, 0]], ambient: 0.4 };
 
 /** A page with only the element, whose picture has the size of the native one. */
-const open = () => shared.open('/tests/plain.html');
+const open = () => shared.open(smallElement);
 
 /** Shows a scene from these bytes; returns its picture and the sentences about it. */
 async function shown(page, bytes, name) {

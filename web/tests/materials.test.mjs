@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { settled, stateOf, useBrowser } from './support/browser.mjs';
+import { settled, smallElement, stateOf, useBrowser } from './support/browser.mjs';
 import { rendered } from './support/native.mjs';
 import { compare, picture } from './support/pictures.mjs';
 import { dataUri } from './support/png.mjs';
@@ -57,7 +57,7 @@ async function expectAsNatively(page, bytes, changes, options = []) {
 }
 
 test('materials look as they do natively', async () => {
-  const page = await shared.open('/tests/plain.html');
+  const page = await shared.open(smallElement);
   await expectAsNatively(page, sceneOfSorts(), { lights: [sun] });
   await expectAsNatively(page, sceneOfSorts(), { lights: [sun], exposure: 1 }, ['--exposure', '1']);
   await expectAsNatively(page, sceneOfSorts(), { lights: [sun], shading: 'base' }, ['--shading', 'base']);
@@ -66,7 +66,7 @@ test('materials look as they do natively', async () => {
 });
 
 test('two lights are added up as they are natively', async () => {
-  const page = await shared.open('/tests/plain.html');
+  const page = await shared.open(smallElement);
   await expectAsNatively(page, sceneOfSorts(), { lights: [sun, [-3, 4, 2, 1]] });
   await shared.check(page);
 });

@@ -20,7 +20,7 @@ function keepMemories() {
   };
 }
 
-const first = times(8, 20), more = times(12, 50);
+const first = times(6, 20), more = times(6, 50);
 
 test(`${more} loads in a row leave memory flat`, async () => {
   const page = await shared.open('/', { size: { width: 120, height: 160 }, init: keepMemories });

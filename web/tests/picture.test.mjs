@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { stateOf, useBrowser, waitForNotice } from './support/browser.mjs';
+import { times } from './support/long.mjs';
 import { rendered, views } from './support/native.mjs';
 import { compare, picture } from './support/pictures.mjs';
 
@@ -31,7 +32,7 @@ test('the first frame of the sample equals the native picture', async () => {
 
 test('other eyes and lights see what the native program draws', async () => {
   const page = await shared.open('/tests/plain.html');
-  for (const { name, camera, lights, astray, share } of views) {
+  for (const { name, camera, lights, astray, share } of views.slice(0, times(4, views.length))) {
     await page.evaluate((changes) => document.querySelector('edgeshade-viewer').change(changes),
       { camera, lights, shading: 'base' });
     await requireAlike(page, name, astray, share, look);

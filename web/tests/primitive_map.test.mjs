@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { smallPage, stateOf, useBrowser } from './support/browser.mjs';
+import { smallElement, smallPage, stateOf, useBrowser } from './support/browser.mjs';
 import { times } from './support/long.mjs';
 import { rendered, views } from './support/native.mjs';
 import { compare, picture } from './support/pictures.mjs';
@@ -20,7 +20,7 @@ const lookedUp = (page) => page.waitForFunction(() => {
 test('lights at rest see what the native program looks up', async () => {
   const page = await shared.open('/tests/plain.html');
   await change(page, { left: { shadows: 'primitive-map' } });
-  for (const { name, camera, lights, astray = 100, share = 0.0055 } of views.slice(0, times(3, views.length))) {
+  for (const { name, camera, lights, astray = 100, share = 0.0055 } of views.slice(0, times(2, views.length))) {
     await change(page, { camera, lights });
     await lookedUp(page);
     const native = rendered(await stateOf(page), ['--shadows', 'primitive-map']);
@@ -70,7 +70,7 @@ const mapWorkers = (page) =>
   page.evaluate(() => window.workers.filter((address) => address.includes('map-worker')).length);
 
 test('one worker builds the maps of one light after the other', async () => {
-  const page = await shared.open('/tests/plain.html', { init: keepWorkers });
+  const page = await shared.open(smallElement, { init: keepWorkers });
   await change(page, { left: { shadows: 'primitive-map' } });
   await lookedUp(page);
   await change(page, { lights: [[1.6, 2.2, 2, 1]] });
@@ -87,7 +87,7 @@ test('without such a worker maps are built between frames', async () => {
 });
 
 test('a worker that can\'t be had is not waited for', async () => {
-  const page = await shared.open('/tests/plain.html');
+  const page = await shared.open(smallElement);
   await page.route('**/map-worker.js', (route) => route.abort());
   await change(page, { left: { shadows: 'primitive-map' } });
   await lookedUp(page);
@@ -129,7 +129,7 @@ test('leaves cast what the native program has them cast, where that is asked for
   await shared.check(page);
 });
 
-const lightCount = times(12, 50);
+const lightCount = times(6, 50);
 
 test(`${lightCount} lights in a row leave memory flat`, async () => {
   const page = await shared.open(smallPage);
@@ -145,7 +145,7 @@ test(`${lightCount} lights in a row leave memory flat`, async () => {
 });
 
 test('a lost context takes its maps along, and they are made again', async () => {
-  const page = await shared.open('/tests/plain.html');
+  const page = await shared.open(smallElement);
   await change(page, { left: { shadows: 'primitive-map' } });
   await lookedUp(page);
   await page.evaluate(async () => {

@@ -112,7 +112,6 @@ test('keys and panel cut, flip, fill and make whole', async () => {
 
 test('the picture is that of render --section', async () => {
   const page = await shared.open('/tests/plain.html');
-  await page.evaluate(() => document.querySelector('edgeshade-viewer').load('/assets/pavilion.glb'));
   for (const shadows of ['cut', 'whole']) {
     await change(page, { ambient: 0.4, ground: 'off', lights: [[0.5, 1, 0.3, 0]], show_lights: false,
       section: { planes: [[0, -1, 0, 2]], shadows } });

@@ -42,13 +42,13 @@ for (const release of releases)
       const page = await opened(context, release);
       if (!page) return;
       const red = await page.evaluate(async ({ seen, of, wide }) => {
-        const { three, ExactShadows, rendererOf, loaded, whiten, cameraOf, lampOf, drawn, redOf } = window.page;
+        const { three, ExactShadows, rendererOf, loaded, whiten, cameraOf, lampOf, drawn, redTextOf } = window.page;
         const renderer = rendererOf(wide);
         const scene = new three.Scene();
         scene.add(await loaded('/assets/pavilion.glb'), ...lampOf(of));
         whiten(scene);
         await drawn(new ExactShadows(renderer).add(scene), scene, cameraOf(seen, wide.width / wide.height));
-        return redOf(renderer);
+        return redTextOf(renderer);
       }, { seen: view, of: options, wide: size });
       const mask = nativeMask(join(repository, 'assets/pavilion.glb'), view, light);
       const told = await compareMasks(page, red, mask);

@@ -25,7 +25,7 @@ const lights = [
 
 test('the sample, a sun and a lamp at rest', async (context) => {
   const view = { from: [-2.6, 3.6, 10.2], to: [0.2, 1.3, -0.2], fov: 45 };
-  const { page, told } = await inPage(context, async ({ three, ExactShadows, rendererOf, loaded, whiten, cameraOf, lampOf, rested, redOf }, { seen, of, wide }) => {
+  const { page, told } = await inPage(context, async ({ three, ExactShadows, rendererOf, loaded, whiten, cameraOf, lampOf, rested, redTextOf }, { seen, of, wide }) => {
     const renderer = rendererOf(wide);
     const sample = await loaded('/assets/pavilion.glb');
     const camera = cameraOf(seen, wide.width / wide.height);
@@ -36,7 +36,7 @@ test('the sample, a sun and a lamp at rest', async (context) => {
       whiten(scene);
       const shadows = new ExactShadows(renderer).add(scene);
       const lookedUp = await rested(shadows, scene, camera);
-      pictures.push({ lookedUp, red: redOf(renderer), cost: shadows.cost, whys: [...shadows.notLookedUp.values()] });
+      pictures.push({ lookedUp, red: redTextOf(renderer), cost: shadows.cost, whys: [...shadows.notLookedUp.values()] });
       shadows.dispose();
     }
     return pictures;

@@ -12,7 +12,7 @@ const inPage = (...of) => inNativeGl(shared, ...of);
 
 test('a figure walks through a resting pavilion, rests, and starts again', async (context) => {
   const view = { from: [-2.6, 3.0, 8.2], to: [0.2, 1.3, -0.2], fov: 45 };
-  const { page, told } = await inPage(context, async ({ three, ExactShadows, rendererOf, loaded, walkingFigure, glbAsPosed, base64Of, whiten, cameraOf, lampOf, drawn, redOf }, { seen, wide }) => {
+  const { page, told } = await inPage(context, async ({ three, ExactShadows, rendererOf, loaded, walkingFigure, glbAsPosed, base64Of, whiten, cameraOf, lampOf, drawn, redTextOf }, { seen, wide }) => {
     const renderer = rendererOf(wide);
     const camera = cameraOf(seen, wide.width / wide.height);
     const scene = new three.Scene();
@@ -42,11 +42,11 @@ test('a figure walks through a resting pavilion, rests, and starts again', async
       frames.walking += 1;
       frames.kept += shadows.cost.lookedUp;
       for (const { method, reason } of shadows.lights) methods.add(`${method}: ${reason}`);
-      if (judges) judged.push({ red: redOf(renderer), glb: base64Of(await glbAsPosed(scene)) });
+      if (judges) judged.push({ red: redTextOf(renderer), glb: base64Of(await glbAsPosed(scene)) });
     };
     for (let i = 0; i < 20; ++i) {
       walkTo(++step);
-      await draw(i % 6 === 0);
+      await draw(i % 10 === 0);
     }
     for (let i = 0; i < 4; ++i) { // it rests, longer than half a second
       await pause(300);
@@ -76,7 +76,7 @@ test('a figure walks through a resting pavilion, rests, and starts again', async
 
 test('a box that starts to move leaves the map, and is taken into another after a long rest', async (context) => {
   const view = { from: [5, 4, 6], to: [0, 0.6, 0], fov: 50 };
-  const { page, told } = await inPage(context, async ({ yard, ExactShadows, cameraOf, glbAsPosed, base64Of, whiten, rested, redOf }, { seen, wide }) => {
+  const { page, told } = await inPage(context, async ({ yard, ExactShadows, cameraOf, glbAsPosed, base64Of, whiten, rested, redTextOf }, { seen, wide }) => {
     const { renderer, scene, box, light } = yard(wide);
     whiten(scene);
     const camera = cameraOf(seen, wide.width / wide.height);
@@ -85,7 +85,7 @@ test('a box that starts to move leaves the map, and is taken into another after 
     const draw = async () => {
       shadows.render(scene, camera);
       stages.push(shadows.lights.map(({ method, reason, light: of }) => (of === light ? `${method}: ${reason}` : 'another light')));
-      judged.push({ red: redOf(renderer), glb: base64Of(await glbAsPosed(scene)) });
+      judged.push({ red: redTextOf(renderer), glb: base64Of(await glbAsPosed(scene)) });
     };
     const until = async (method) => {
       for (const since = Date.now(); shadows.lights[0].method !== method && Date.now() - since < 60000;) {

@@ -11,7 +11,7 @@ test('leaves, glass and clipping groups shade hours of sun as in edgeshade/three
   await page.waitForFunction(() => window.page);
   const told = await page.evaluate(async () => {
     const tools = await import('/tests/three-webgpu.js');
-    const camera = tools.cameraOf(tools.yardView), options = { place: [48.14, 11.57], date: '2026-03-21', step: 30 };
+    const camera = tools.cameraOf(tools.yardView), options = { place: [48.14, 11.57], date: '2026-03-21', step: 60 };
     const countsOf = async (renderer, scene, ground, chosen) => {
       const shadows = tools.shadowsOf(renderer, chosen).add(scene);
       shadows.render(scene, camera);
@@ -22,7 +22,7 @@ test('leaves, glass and clipping groups shade hours of sun as in edgeshade/three
     const results = {};
     for (const backend of ['WebGLRenderer', 'WebGL', 'WebGPU']) {
       const renderer = await tools.rendererOf(backend, { width: 40, height: 30 });
-      const counts = {}, sheets = tools.sheets();
+      const counts = {}, sheets = tools.sheets(tools.casterOf);
       for (const [name, chosen] of Object.entries({ cut: {}, tint: { transparentCast: 'tint' }, opaque: { transparentCast: 'opaque' }, whole: { alphaTestedCast: 'whole' }, none: { alphaTestedCast: 'none' } }))
         counts[name] = await countsOf(renderer, sheets, sheets.children[0], chosen);
       const { scene, outer, material } = tools.house(), planes = [new tools.three.Plane(new tools.three.Vector3(0.1, -1, 0.05).normalize(), 1.37)];

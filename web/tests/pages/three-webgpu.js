@@ -61,6 +61,13 @@ export function meshOf(geometry, material, place = [0, 0, 0]) {
   return mesh;
 }
 
+/** A mesh that casts alone: no program that looks up, which takes seconds to compile, is made for its material. */
+export function casterOf(...of) {
+  const mesh = meshOf(...of);
+  mesh.receiveShadow = false;
+  return mesh;
+}
+
 /** A ground, a box, a ball, a knot, and an open sheet, seen from both of its sides. */
 export function yard(material = white(), doubleSided = white({ side: three.DoubleSide })) {
   const scene = new three.Scene();
@@ -107,7 +114,7 @@ export function panes() {
   const scene = new three.Scene();
   const glass = (grey, opacity) => new three.MeshLambertMaterial({ color: new three.Color().setRGB(grey, grey, grey, three.LinearSRGBColorSpace),
     opacity, transparent: true, colorWrite: false, depthWrite: false, side: three.DoubleSide });
-  const upper = meshOf(new three.PlaneGeometry(3, 2, 4, 4), glass(0.9, 0.3), [0.3, 1.9, 0.2]), thick = meshOf(new three.BoxGeometry(2, 0.2, 2), glass(0.8, 0.5), [-0.6, 0.9, 0.5]);
+  const upper = casterOf(new three.PlaneGeometry(3, 2, 4, 4), glass(0.9, 0.3), [0.3, 1.9, 0.2]), thick = casterOf(new three.BoxGeometry(2, 0.2, 2), glass(0.8, 0.5), [-0.6, 0.9, 0.5]);
   upper.rotation.set(-1.4, 0.2, 0.1);
   thick.rotation.set(0.1, 0.3, 0);
   scene.add(meshOf(new three.BoxGeometry(8, 0.2, 8), white(), [0, -0.1, 0]), upper, thick, meshOf(new three.BoxGeometry(0.5, 0.5, 0.5), white(), [0.6, 1.4, 0.2]));
@@ -122,8 +129,8 @@ export function leaves() {
   return scene;
 }
 
-/** Panes above sheets with holes: linear and mirrored, nearest and clamped, and without a texture. */
-export function sheets() {
+/** Panes above sheets with holes: linear and mirrored, nearest and clamped, and without a texture; sheetOf() makes these. */
+export function sheets(sheetOf = meshOf) {
   const scene = panes();
   const linear = alphas(11, 7), nearest = blobs(64, 48, { seed: 3 });
   Object.assign(linear, { wrapS: three.MirroredRepeatWrapping, wrapT: three.RepeatWrapping, rotation: 0.4 });
@@ -134,7 +141,7 @@ export function sheets() {
   nearest.repeat.set(0.2, 0.15);
   const both = { side: three.DoubleSide, alphaTest: 0.45 };
   const added = (material, place) => {
-    const sheet = meshOf(new three.PlaneGeometry(1.6, 1.6), white({ ...both, ...material }), place);
+    const sheet = sheetOf(new three.PlaneGeometry(1.6, 1.6), white({ ...both, ...material }), place);
     sheet.rotation.set(-1.3, 0.2, 0.3);
     scene.add(sheet);
   };
@@ -159,13 +166,13 @@ function alphas(width, height, settings) {
 }
 
 /**
- * The same, and panes, invisible to the eye, whose textures are of colour, alpha and transmission, and a sheet with
+ * The same, all of which cast alone, and panes, invisible to the eye, whose textures are of colour, alpha and transmission, and a sheet with
  * holes of two textures' alpha.
  */
 export function stained() {
-  const scene = sheets(), color = new three.Color().setRGB(1, 0.8, 0.6, three.LinearSRGBColorSpace);
+  const scene = sheets(casterOf), color = new three.Color().setRGB(1, 0.8, 0.6, three.LinearSRGBColorSpace);
   const added = (material, place, turned) => {
-    const pane = meshOf(new three.PlaneGeometry(1.6, 1.4), material, place), { uv } = pane.geometry.attributes;
+    const pane = casterOf(new three.PlaneGeometry(1.6, 1.4), material, place), { uv } = pane.geometry.attributes;
     pane.rotation.set(...turned);
     pane.geometry.setAttribute('uv1', uv.clone());
     for (const [i, at] of uv.array.entries()) pane.geometry.attributes.uv1.array[i] = 1 - 0.8 * at;
@@ -191,8 +198,8 @@ function throughStained({ material }, hit) {
 
 /** The yard, and a pane that receives, and isn't one of the mask engine's meshes. */
 export function softYard() {
-  const { scene } = yard();
-  const pane = meshOf(new three.PlaneGeometry(1.2, 1.2), white({ transparent: true, side: three.DoubleSide }), [-0.4, 0.5, 2]);
+  const material = white({ side: three.DoubleSide }), { scene } = yard(material, material); // fewer programs to compile
+  const pane = meshOf(new three.PlaneGeometry(1.2, 1.2), white({ transparent: true, side: three.DoubleSide, forceSinglePass: true }), [-0.4, 0.5, 2]);
   pane.rotation.set(-1.5, 0, 0.3);
   pane.castShadow = false;
   scene.add(pane);
@@ -231,7 +238,7 @@ export function farYard(x = 1e6, z = -1e6) {
  */
 export async function sceneOf(name) {
   if (name === 'far yard') return farYard();
-  if (name === 'soft yard') return { scene: softYard(), camera: cameraOf(yardView), options: { lightSamples: 16, radius: 0.15, at: { width: 120, height: 90 } } };
+  if (name === 'soft yard') return { scene: softYard(), camera: cameraOf(yardView), options: { lightSamples: 8, radius: 0.15, at: { width: 120, height: 90 } } };
   if (name === 'leaves') return { scene: leaves(), camera: cameraOf(yardView) };
   if (name === 'sheets') return { scene: sheets(), camera: cameraOf(yardView), options: { transparentCast: 'tint', at: { width: 160, height: 120 } } };
   if (name === 'stained') return { scene: stained(), camera: cameraOf(yardView), options: { transparentCast: 'tint', at: { width: 120, height: 90 } }, tintOf: throughStained };

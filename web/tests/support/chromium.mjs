@@ -1,4 +1,5 @@
-// A headless Chromium that draws WebGL in software, the same on every machine.
+// A headless Chromium that draws WebGL in software, the same on every machine. Its GL takes most of the
+// time to compile shaders, so pages of one browser share what it compiled.
 
 import { chromium } from 'playwright-core';
 import { chromiumPath } from './chromium-path.mjs';
@@ -6,7 +7,7 @@ import { chromiumPath } from './chromium-path.mjs';
 const flags = ['--headless=new', '--no-sandbox', '--use-gl=angle', '--enable-unsafe-swiftshader',
   '--ignore-gpu-blocklist', '--disable-quic', '--no-first-run',
   '--disable-background-networking', '--disable-component-update', '--disable-sync',
-  '--js-flags=--expose-gc'];
+  '--js-flags=--expose-gc', '--enable-angle-features=preferGlobalPipelineCache'];
 
 /** Give pages an adapter of WebGPU that computes on SwiftShader's Vulkan. */
 const webGpuFlags = ['--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader'];

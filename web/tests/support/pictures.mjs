@@ -27,7 +27,7 @@ export function compare(page, first, second) {
     }));
     if (a.width !== b.width || a.height !== b.height)
       throw new Error(`${a.width}x${a.height} is not ${b.width}x${b.height}`);
-    const step = (p, i, q, j) => Math.max(...[0, 1, 2, 3].map((c) => Math.abs(p[i + c] - q[j + c])));
+    const step = (p, i, q, j) => Math.max(Math.abs(p[i] - q[j]), Math.abs(p[i + 1] - q[j + 1]), Math.abs(p[i + 2] - q[j + 2]), Math.abs(p[i + 3] - q[j + 3]));
     const atOutline = (x, y) => {
       for (let v = Math.max(0, y - 1); v <= Math.min(b.height - 1, y + 1); ++v)
         for (let u = Math.max(0, x - 1); u <= Math.min(b.width - 1, x + 1); ++u)

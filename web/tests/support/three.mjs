@@ -81,14 +81,15 @@ export function nativeMask(scene, { from, to, fov, height }, light) {
 }
 
 /**
- * Compares two masks pixel by pixel: the page's as `red` (redOf), the native one as PNG. Returns
+ * Compares two masks pixel by pixel: the page's as `red` (redTextOf), the native one as PNG. Returns
  * {surfaces, wrong, beyond}. surfaces: pixels that show something; wrong: those where only one mask
  * is lit; beyond: wrong ones with no boundary of the native mask or of visible geometry within a
  * pixel.
  */
 export function compareMasks(page, red, png) {
-  return page.evaluate(async ({ values, base64 }) => {
-    const bytes = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
+  return page.evaluate(async ({ text, base64 }) => {
+    const bytesOf = (of) => Uint8Array.from(atob(of), (character) => character.charCodeAt(0));
+    const values = bytesOf(text), bytes = bytesOf(base64);
     const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }), { premultiplyAlpha: 'none' });
     const { width, height } = bitmap;
     const context = new OffscreenCanvas(width, height).getContext('2d');
@@ -111,5 +112,5 @@ export function compareMasks(page, red, png) {
         beyond += !boundary;
       }
     return { surfaces, dark, wrong, beyond };
-  }, { values: red, base64: png.toString('base64') });
+  }, { text: red, base64: png.toString('base64') });
 }
