@@ -26,7 +26,7 @@ test('every entry exports the version', async () => {
     assert.match(readFileSync(join(site, entry), 'utf8'), /^export \{ version \} from '.*\/version\.js';$/m, entry);
 });
 
-test('WebAssembly and JavaScript together weigh at most 851 KB, compressed', () => {
+test('WebAssembly and JavaScript together weigh at most 853 KB, compressed', () => {
   const parts = {};
   const add = (part, path) => {
     parts[part] = (parts[part] ?? 0) + gzipSync(readFileSync(path), { level: 9 }).length;
@@ -38,7 +38,7 @@ test('WebAssembly and JavaScript together weigh at most 851 KB, compressed', () 
       if (file.endsWith('.js')) add(folder, join(site, folder, file));
   console.log(parts);
   const total = Object.values(parts).reduce((sum, part) => sum + part, 0);
-  assert.ok(total <= 851e3, `${total} bytes`);
+  assert.ok(total <= 853e3, `${total} bytes`);
 });
 
 /** The files that npm packs; `text(path)` and `weight(path, …)` read them. */
@@ -56,13 +56,13 @@ const packed = (() => {
   }
 })();
 
-test('the package is at most 1.71 MB, 4.60 MB unpacked', { skip }, () => {
+test('the package is at most 1.72 MB, 4.60 MB unpacked', { skip }, () => {
   const { size, unpackedSize } = packed;
   console.log(`tarball ${size} bytes, unpacked ${unpackedSize}`);
-  assert.ok(size <= 1.71e6 && unpackedSize <= 4.6e6);
+  assert.ok(size <= 1.72e6 && unpackedSize <= 4.6e6);
 });
 
-test('three.js\' adapter weighs at most 497 KB, its hours of sun 172 KB more when asked for, the element 818 KB, without a bundler, compressed', { skip }, () => {
+test('three.js\' adapter weighs at most 497 KB, its hours of sun 172 KB more when asked for, the element 820 KB, without a bundler, compressed', { skip }, () => {
   const modules = (...folders) => packed.paths.filter((path) => path.endsWith('.js') && folders.some((folder) => path.startsWith(`dist/${folder}/`)));
   const wasm = (name) => [`dist/wasm/${name}.wasm`, `dist/wasm/${name}.mjs`];
   const ofHours = (path) => path.includes('/sun-hours');
@@ -70,7 +70,7 @@ test('three.js\' adapter weighs at most 497 KB, its hours of sun 172 KB more whe
   const hours = packed.weight(...wasm('edgeshade-hours'), ...modules('three').filter(ofHours));
   const element = packed.weight(...wasm('edgeshade'), ...modules('element'));
   console.log(`adapter ${adapter} bytes, hours ${hours}, element ${element}`);
-  assert.ok(adapter <= 497e3 && hours <= 172e3 && element <= 818e3);
+  assert.ok(adapter <= 497e3 && hours <= 172e3 && element <= 820e3);
 });
 
 test('npm packs every entry with its types, workers and WebAssembly', { skip }, () => {
