@@ -10,7 +10,7 @@
 namespace edgeshade {
 namespace {
 
-/// Triangles below which another thread isn't worth starting.
+/// Positions or triangles below which another thread isn't worth starting.
 constexpr std::size_t itemsOfThread = std::size_t{1} << 14;
 
 constexpr std::uint32_t signBit = 0x80000000u;

@@ -25,12 +25,6 @@ bool isEs3(const Capabilities& capabilities) {
 
 } // namespace
 
-FloatTable::FloatTable(std::span<const glm::vec2> texels, const Capabilities& capabilities) {
-    allocate(texels.size(), 2, capabilities);
-    fillRows(0, texels.data(), texels.size());
-    requireNoError(uploading);
-}
-
 FloatTable::FloatTable(std::span<const glm::vec4> pairs, std::size_t count,
                        const Capabilities& capabilities) {
     allocate(count, 2, capabilities);

@@ -12,11 +12,11 @@ namespace edgeshade::gl {
 class FloatTable {
   public:
     FloatTable() = default;
-    /// Throws Error(unavailable) if they exceed the GL's largest texture, or it is out of memory.
-    FloatTable(std::span<const glm::vec2> texels, const Capabilities& capabilities);
-    /// A table of `count` pairs, two to each of these.
+    /// A table of `count` pairs, two to each of these. Throws Error(unavailable) if they exceed the
+    /// GL's largest texture, or it is out of memory.
     FloatTable(std::span<const glm::vec4> pairs, std::size_t count,
                const Capabilities& capabilities);
+    /// A table of texels of four numbers each. Throws likewise.
     FloatTable(std::span<const glm::vec4> texels, const Capabilities& capabilities);
     /// Allocates `texels` texels of four numbers each, for fill(), if hasWideTables(). Throws if
     /// they are too many. Doesn't check for lack of memory, as that would wait until the GL has

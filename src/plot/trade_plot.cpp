@@ -97,7 +97,7 @@ void drawGrid(Canvas& canvas, const Axes& axes, const std::string& timeLabel) {
                 {13.0, textColor, Anchor::middle, false, true});
 }
 
-/// Draws the families in the plot, in a column beside the plotArea.
+/// Draws the families in the plot, in a column beside the plot.
 void drawLegend(Canvas& canvas, const TradePlot& plot) {
     const double x = plotArea.right + 22.0;
     double y = plotArea.top + 6.0;

@@ -7,6 +7,7 @@
 #include "src/shadow/primitive_map/primitive_map_builder.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/primitive_lookup.hpp"
+#include "tests/support/primitive_pairs.hpp"
 #include "tests/support/scene_builder.hpp"
 
 #include <gtest/gtest.h>
@@ -328,8 +329,7 @@ TEST(PrimitiveMapBuilding, ListsNoSheetThatIsOne) {
     // Only texels at the rim have lists.
     std::size_t listed = 0, dark = 0;
     for (std::size_t i = 0; i < map.headers; ++i) {
-        const glm::vec4& two = map.texels[i / 2];
-        const glm::vec2 texel = i % 2 == 0 ? glm::vec2(two.x, two.y) : glm::vec2(two.z, two.w);
+        const glm::vec2 texel = test::pairAt(map.texels, i);
         listed += texel.y > 0.0f;
         dark += texel.x < neverDark;
     }

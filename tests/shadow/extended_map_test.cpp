@@ -6,6 +6,7 @@
 #include "src/shadow/primitive_map/primitive_map_builder.hpp"
 #include "tests/support/extended_lights.hpp"
 #include "tests/support/headless.hpp"
+#include "tests/support/primitive_pairs.hpp"
 #include "tests/support/scene_builder.hpp"
 
 #include <algorithm>
@@ -64,12 +65,6 @@ struct Answer {
     std::set<Name> listed;
 };
 
-/// A pair of the header, or of the entries, which begin at texel `begin`.
-glm::vec2 pairAt(const PrimitiveMap& map, std::size_t begin, std::size_t number) {
-    const glm::vec4& two = map.texels[begin + number / 2];
-    return number % 2 == 0 ? glm::vec2(two.x, two.y) : glm::vec2(two.z, two.w);
-}
-
 Answer lookUp(const PrimitiveMap& map, const glm::dvec3& world) {
     const glm::dvec3 point(map.tiles.mapFromWorld * glm::dvec4(world, 1.0));
     for (std::size_t tile = 0; tile < map.tiles.tiles.size(); ++tile) {
@@ -81,12 +76,14 @@ Answer lookUp(const PrimitiveMap& map, const glm::dvec3& world) {
                             static_cast<std::size_t>(map.size) - 1);
         };
         const auto size = static_cast<std::size_t>(map.size);
-        const glm::vec2 texel = pairAt(map, 0, (tile * size + cell(at.y)) * size + cell(at.x));
+        const glm::vec2 texel =
+            test::pairAt(map.texels, (tile * size + cell(at.y)) * size + cell(at.x));
         const double depth = map.tiles.directional ? point.z : ray.z;
         Answer answer{false, depth > texel.x, {}};
         if (texel.y <= 0.0f) return answer;
+        const auto entries = std::span(map.texels).subspan(map.entriesBegin());
         for (auto i = static_cast<std::size_t>(texel.y);; ++i) {
-            const glm::vec2 entry = pairAt(map, map.entriesBegin(), i);
+            const glm::vec2 entry = test::pairAt(entries, i);
             const glm::vec4* const record =
                 &map.texels[map.recordsBegin() + 3 * static_cast<std::size_t>(entry.x)];
             answer.listed.insert(

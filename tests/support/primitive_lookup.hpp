@@ -3,6 +3,7 @@
 // The shader's own lookup (primitive_map_lookup.glsl), compiled as C++ over a PrimitiveMap.
 
 #include "src/shadow/primitive_map/primitive_map.hpp"
+#include "tests/support/primitive_pairs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,8 +28,7 @@ struct Table {
     /// `count` pairs, two to each texel.
     Table(std::span<const vec4> pairs, std::size_t count) {
         for (std::size_t i = 0; i < count; ++i) {
-            const vec4& two = pairs[i / 2];
-            const vec2 pair = i % 2 == 0 ? vec2(two.x, two.y) : vec2(two.z, two.w);
+            const vec2 pair = pairAt(pairs, i);
             texels.emplace_back(pair.x, pair.x, pair.x, pair.y); // luminance and alpha
         }
         fit();
