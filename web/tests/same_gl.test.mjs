@@ -32,12 +32,12 @@ test('on the system\'s own GL hardly a pixel differs', async (context) => {
     assert.ok(different <= 0.0003 * pixels, `${name}: ${different} of ${pixels} pixels differ`);
   }
   await page.evaluate(() => document.querySelector('edgeshade-viewer').change({ lights: [[0, 1, 0, 0]], ground: 'off',
-    sun: { place: [48.14, 11.57], time: '2026-03-21T10:00+01:00', north: 25 }, sun_hours: true, sun_hours_step: 60 }));
+    sun: { place: [48.14, 11.57], time: '2026-03-21T10:00+01:00', north: 25 }, sun_hours: true, sun_hours_step: 30 }));
   await page.waitForFunction(() => {
     const { counted, of } = document.querySelector('edgeshade-viewer').sunHours ?? {};
     return of > 0 && counted === of;
   });
-  const counts = sunHours(await stateOf(page), 60);
+  const counts = sunHours(await stateOf(page), 30);
   const shown = await page.evaluate(({ width, height }) => {
     const lit = [];
     for (let y = 2; y < height; y += 5)

@@ -25,16 +25,16 @@ const hoursAt = (page, places) => page.evaluate((all) =>
 
 test('counts are those of the program, and the pointer is told them', async () => {
   const page = await shared.open('/', { size });
-  await change(page, { sun: munich, show_lights: false, ground: 'off', sun_hours_step: 60 });
+  await change(page, { sun: munich, show_lights: false, ground: 'off', sun_hours_step: 30 });
   await page.check('#sun-hours');
-  await page.waitForFunction(() => /^Hours of sun: \d+ of 12 sun positions$/.test(
+  await page.waitForFunction(() => /^Hours of sun: \d+ of 24 sun positions$/.test(
     document.querySelector('#hours-progress').textContent));
   await complete(page);
-  assert.equal(await page.textContent('#hours-progress'), 'Hours of sun, from 12 positions');
+  assert.equal(await page.textContent('#hours-progress'), 'Hours of sun, from 24 positions');
   assert.equal(await page.textContent('#hours-most'), '12 h');
   const { sun, camera } = await stateOf(page);
-  const counts = sunHours({ sun, camera }, 60);
-  assert.equal(counts.of, 12);
+  const counts = sunHours({ sun, camera }, 30);
+  assert.equal(counts.of, 24);
   const places = [];
   for (let y = 5; y < size.height; y += 10)
     for (let x = 5; x < size.width; x += 10) places.push([x, y]);
@@ -48,22 +48,22 @@ test('counts are those of the program, and the pointer is told them', async () =
     if (apart > 0) different += 1;
     if (apart > 1) farApart += 1;
     values.add(here?.lit ?? -1);
-    if (here) assert.deepEqual([here.of, here.step], [12, 60]);
+    if (here) assert.deepEqual([here.of, here.step], [24, 30]);
   });
-  // Another GL rounds the outlines of surfaces and of 12 shadows differently; same_gl.test.mjs
+  // Another GL rounds the outlines of surfaces and of 24 shadows differently; same_gl.test.mjs
   // compares with the same GL.
   assert.ok(different <= 0.02 * places.length, `${different} of ${places.length} pixels differ`);
   assert.ok(farApart <= 0.004 * places.length, `${farApart} of ${places.length} pixels differ by more`);
-  assert.ok(values.size > 10 && values.has(-1), `only ${values.size} values`);
+  assert.ok(values.size > 12 && values.has(-1), `only ${values.size} values`);
 
   const of = await page.evaluate(() => document.querySelector('#hours').getBoundingClientRect().top);
   const at = (wanted) => places[shown.findIndex((here, i) =>
     wanted(here) && places[i][0] < 0.7 * size.width && places[i][1] < of - 40)];
-  const sunny = at((here) => here?.lit > 3 && here.lit < 12);
+  const sunny = at((here) => here?.lit > 3 && here.lit < 24);
   await page.mouse.move(...sunny);
   const { lit } = shown[places.indexOf(sunny)];
   await page.waitForSelector('#hours-here', { state: 'visible' });
-  assert.equal(await page.textContent('#hours-here'), `${durationText(60 * lit)} of 12 h`);
+  assert.equal(await page.textContent('#hours-here'), `${durationText(30 * lit)} of 12 h`);
   const label = await page.locator('#hours-here').boundingBox();
   assert.ok(Math.abs(label.x + label.width / 2 - sunny[0]) < 2 && Math.abs(label.y - sunny[1]) < 60);
   await page.mouse.move(...at((here) => here === null));
