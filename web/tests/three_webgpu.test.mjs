@@ -8,7 +8,7 @@ import { useBrowser } from './support/browser.mjs';
 import { isLong } from './support/long.mjs';
 import { blocksOf } from './support/readme.mjs';
 
-const shared = useBrowser({ webGpu: true });
+const shared = useBrowser({ webGpu: true, sharesPages: true });
 
 /** Runs `act(page, given)` with the tools of pages/three-webgpu.js in a page. Returns its result. */
 async function inPage(act, given, allowed = []) {
@@ -260,6 +260,7 @@ test("the README's lines draw exact shadows, with a RenderPipeline, too", async 
     const [{ method }] = shadows.lights;
     const judged = [alone, followed].map((red) => tools.comparedWithRays(red, rays, scene, camera, light));
     shadows.dispose();
+    delete navigator.gpu.requestAdapter;
     return { method, judged };
   }, { plain: lines, piped: pipelineLines }, [/WebGPU is not available/]);
   console.log(told);

@@ -39,27 +39,39 @@ function hurry(factor) {
   window.setTimeout = (act, milliseconds = 0, ...given) => setTimeout.call(window, act, milliseconds / factor, ...given);
 }
 
+/** A page is used for so many tests: contexts of WebGL that nothing holds any more may stay, and 16 are allowed. */
+const mostUses = 5;
+
 /**
  * Call it at the top of a test file; `angle` and `webGpu` as in chromium.mjs, `roots` as in server.mjs.
+ * `sharesPages`: a page that passed check() is emptied and opened again for a later test that asks for the
+ * same, as loading one takes longer than most tests; for tests that leave the page's globals as they are.
  * open(path, options) returns a page that has loaded its scene, without antialiasing by default, whose
  * clock runs `haste` times as fast; check(page) fails if anything was reported to its console.
  */
-export function useBrowser({ angle, webGpu, roots } = {}) {
-  const shared = {};
+export function useBrowser({ angle, webGpu, roots, sharesPages = false } = {}) {
+  const shared = {}, idle = new Map(); // pages by what was asked for
   before(async () => {
     shared.server = await serve(roots);
     shared.browser = await launchChromium({ angle, webGpu });
   });
   after(async () => {
+    idle.clear();
     await shared.browser?.close();
     await shared.server?.close();
   });
 
   shared.open = async (path = smallPage, { size = { width: 800, height: 500 }, init, haste = 1, scene = true, antialias = false, ...context } = {}) => {
+    const asked = sharesPages && !init ? JSON.stringify([path, size, haste, scene, antialias, context]) : null;
+    const kept = idle.get(asked);
+    if (kept) {
+      idle.delete(asked);
+      return kept;
+    }
     const made = await shared.browser.newContext({ viewport: size, ...context });
     const page = await made.newPage();
     page.setDefaultTimeout(60000);
-    page.reports = [];
+    Object.assign(page, { reports: [], asked, uses: 0 });
     page.on('console', (message) => {
       if (['error', 'warning'].includes(message.type())) page.reports.push(message.text());
     });
@@ -74,6 +86,13 @@ export function useBrowser({ angle, webGpu, roots } = {}) {
   shared.check = async (page, allowed = []) => {
     const reports = page.reports.filter((text) => ![ofChromium, ...allowed].some((pattern) => pattern.test(text)));
     assert.deepEqual(reports, [], 'the console stays empty');
+    page.uses += 1;
+    if (page.asked && page.uses < mostUses && !idle.has(page.asked)) {
+      await page.evaluate(() => { document.body.replaceChildren(); window.gc(); });
+      page.reports = [];
+      idle.set(page.asked, page);
+      return;
+    }
     await page.context().close();
   };
   return shared;
