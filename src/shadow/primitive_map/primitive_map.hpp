@@ -16,8 +16,10 @@ struct PrimitiveMapSettings {
     /// GPU memory of a map, or of all maps of a scene's PrimitiveMaps together. Smaller maps are
     /// tried first.
     std::size_t mostBytes = std::size_t{128} << 20;
-    std::size_t splitAbove = 8; ///< texels with longer lists are divided in 4 x 4
-    int mostSplits = 3;         ///< depth of nested divisions
+    /// Texels with longer lists are divided in 4 x 4, and each piece again from three times the
+    /// length on.
+    std::size_t splitAbove = 6;
+    int mostSplits = 3; ///< depth of nested divisions
     /// The longest list allowed: building stops when a longer one is found.
     std::size_t longestWanted = std::numeric_limits<std::size_t>::max();
     bool othersReceive = false; ///< some surfaces are not casters

@@ -21,6 +21,10 @@ constexpr int pieces = 4;
 /// Pieces are kept if their lists' mean length is at most this share of the whole's.
 constexpr double worthDividing = 0.75;
 
+/// How many times as long a piece's list must be as that of what it is a piece of, for dividing it
+/// too: pieces are many and small.
+constexpr std::size_t longerForPieces = 3;
+
 /// Limit of tests of a footprint against a square (about 20 ns each): a base, and an addition for
 /// each footprint.
 constexpr std::size_t mostLooks = std::size_t{1} << 30, looksEach = 1000;
@@ -183,7 +187,8 @@ class PrimitiveMapBuilder::PartBuilder {
             Texel& texel = part_.texels[static_cast<std::size_t>(y - part_.y) *
                                             static_cast<std::size_t>(part_.side) +
                                         static_cast<std::size_t>(x - part_.x)];
-            texel = settle({static_cast<double>(x), static_cast<double>(y)}, 1.0, found, 0);
+            texel = settle({static_cast<double>(x), static_cast<double>(y)}, 1.0, found, 0,
+                           builder_.settings_.splitAbove);
             return;
         }
         const int step = std::max(1, side / pieces);
@@ -224,12 +229,14 @@ class PrimitiveMapBuilder::PartBuilder {
     }
 
     /// The reference for a texel, or a piece of one, with the occluders `found` in it.
-    Texel settle(const glm::dvec2& at, double side, const TexelOccluders& found, int splits) {
+    /// `longestWhole`: length of the longest list that is not divided.
+    Texel settle(const glm::dvec2& at, double side, const TexelOccluders& found, int splits,
+                 std::size_t longestWhole) {
         Texel texel;
         texel.darkBehind = roundedUp(found.darkBehind);
         const PrimitiveMapSettings& settings = builder_.settings_;
         if (found.listed.empty() || builder_.tooLarge_) return texel;
-        const bool isLong = found.forCasters > settings.splitAbove && splits < settings.mostSplits;
+        const bool isLong = splits < settings.mostSplits && found.forCasters > longestWhole;
         const Found* const divided = isLong ? &piecesOf(at, side, found, splits) : nullptr;
         if (!divided || !areShorter(*divided, found)) {
             texel.reference = static_cast<std::int32_t>(part_.lists.size() + 1);
@@ -242,7 +249,8 @@ class PrimitiveMapBuilder::PartBuilder {
         builder_.charge(squares, 0);
         for (std::size_t i = 0; i < squares; ++i) {
             const Texel piece =
-                settle(placeOf(i, at, side), side / pieces, (*divided)[i], splits + 1);
+                settle(placeOf(i, at, side), side / pieces, (*divided)[i], splits + 1,
+                       longerForPieces * longestWhole);
             part_.blocks[block + i] = piece; // settling may have moved the blocks
         }
         return texel;
