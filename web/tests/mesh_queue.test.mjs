@@ -6,7 +6,7 @@ import { MeshQueue } from '../three/mesh-queue.js';
 
 /** A queue with an engine that prepares batches when the test says so. `ofTaken(bytes)`: called as the engine takes a mesh over. */
 function started(ofTaken = () => {}) {
-  const engine = { answers: [], added: [], isPrepared: true };
+  const engine = { answers: [], added: [], isPrepared: true, isBusy: true };
   const masks = {
     prepareTogether: (shapes, places) => new Promise((resolve) => {
       engine.answers.push(() => resolve({ meshes: shapes.map(({ name }) => name), merged: [{ members: places.map((_, i) => i), bytes: '' }] }));
@@ -20,7 +20,7 @@ function started(ofTaken = () => {}) {
       return numbers;
     },
   };
-  const queue = new MeshQueue(masks, assert.fail, () => engine.isPrepared);
+  const queue = new MeshQueue(masks, assert.fail, () => engine.isPrepared, () => engine.isBusy);
   const add = (name) => queue.add({ entry: { number: null, users: 1 }, merges: true, shape: () => ({ name, indices: new Array(3e5) }), matrix: () => [],
     isWanted: () => true, placed() {}, done() {} });
   /** Lets the engine answer the oldest batch. */
@@ -48,6 +48,19 @@ test('meshes that ask for further programs as they are taken over wait for these
   engine.isPrepared = true;
   queue.advance();
   assert.deepEqual(engine.added, [1, 1]);
+});
+
+test('ready meshes wait for others only while the GPU is busy', async () => {
+  const { queue, engine, add, answer } = started();
+  for (const name of ['first', 'second']) add(name);
+  queue.advance();
+  await answer();
+  queue.advance();
+  queue.advance();
+  assert.deepEqual(engine.added, [], 'the GPU is busy, and more come');
+  engine.isBusy = false;
+  queue.advance();
+  assert.deepEqual(engine.added, [1]);
 });
 
 test('a queue tells whether it has something to do at once', async () => {

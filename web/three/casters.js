@@ -121,6 +121,7 @@ export class Casters {
   #round = 0;            // number of follow()'s calls
   #revision = 0;
   #added = false;        // whether #revision doesn't tell yet what the queue has added
+  #tellsNext = false;    // whether the next step tells it
   #atOnce = { since: 0, triangles: 0 }; // of new meshes that were prepared within frames
   #versions = [];        // of the mesh that is compared
   #problems = [];
@@ -135,16 +136,16 @@ export class Casters {
   /**
    * `touched()` is called when the context's state has changed, `failed(sentence)` when a mesh can't
    * take part. `displacements`: Displacements, or null for none; `otherwise(casts)`: what becomes of meshes that the
-   * engine can't have, a verb with its object; `isPrepared()` as in MeshQueue.
+   * engine can't have, a verb with its object; `isPrepared()`, `isBusy()` as in MeshQueue.
    */
-  constructor(masks, alphaTests, clippings, warnings, { displacements = null, touched, failed, otherwise = otherwiseUnmasked, isPrepared = () => true }) {
+  constructor(masks, alphaTests, clippings, warnings, { displacements = null, touched, failed, otherwise = otherwiseUnmasked, isPrepared = () => true, isBusy = () => true }) {
     this.#masks = masks;
     this.#displacements = displacements;
     this.#otherwise = otherwise;
     this.#warnings = warnings;
     this.#touched = touched;
     this.#failed = failed;
-    this.#queue = new MeshQueue(masks, (sentence) => this.#report(sentence), isPrepared);
+    this.#queue = new MeshQueue(masks, (sentence) => this.#report(sentence), isPrepared, isBusy);
     this.#alphaTests = alphaTests;
     this.#clippings = clippings;
     this.#parts = new MeshParts(clippings);
@@ -165,9 +166,9 @@ export class Casters {
     return this.#unread.size > 0 || this.#queue.hasSteps;
   }
 
-  /** Number of meshes that the engine doesn't have yet as they are. */
+  /** Number of meshes that the engine doesn't have yet as they are, at least one while masks don't show all it has. */
   get pending() {
-    return this.#pending + this.#unread.size;
+    return this.#pending + this.#unread.size + Number(this.#tellsNext);
   }
 
   /**
@@ -256,10 +257,15 @@ export class Casters {
   #takeSteps() {
     const before = this.#revision;
     if (this.#queue.advance()) this.#touched();
-    this.#added ||= this.#revision !== before;
+    const adds = this.#revision !== before;
+    this.#added ||= adds;
     this.#revision = before;
     if (!this.#added || (this.#queue.isAdding && this.#pending > 0)) return;
-    this.#added = false;
+    if (adds && !this.#tellsNext) {
+      this.#tellsNext = true; // adding and drawing are each enough for a frame
+      return;
+    }
+    this.#added = this.#tellsNext = false;
     this.#revision += 1;
   }
 

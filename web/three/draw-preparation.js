@@ -9,17 +9,16 @@ const longestWait = 1000, pause = 50;
 
 export class DrawPreparation {
   #masks;
-  #gl;
-  #sync = null; // behind the last frame's draws
+  #draws;
   #until = Infinity; // when a program is taken over even if the GPU is busy
   #isDone = false;
   #hasBegun = false;
   #failed = false;
 
-  /** `masks`: ShadowMasks; `gl`: their WebGL 2 context. */
-  constructor(masks, gl) {
+  /** `masks`: ShadowMasks; `draws`: PendingDraws of their context, marked after each of the host's frames. */
+  constructor(masks, draws) {
     this.#masks = masks;
-    this.#gl = gl;
+    this.#draws = draws;
   }
 
   /** Whether frames needn't wait for anything. */
@@ -39,7 +38,7 @@ export class DrawPreparation {
   advance(view, lights) {
     if (this.isDone) return true;
     const now = performance.now();
-    if (this.#hasBegun && now < this.#until && this.#isBusy()) return false;
+    if (this.#hasBegun && now < this.#until && this.#draws.isBusy) return false;
     this.#until = now >= this.#until ? now + pause : Math.min(this.#until, now + longestWait);
     this.#hasBegun = true;
     try {
@@ -47,35 +46,13 @@ export class DrawPreparation {
     } catch {
       this.#isDone = this.#failed = true; // draw() reports it
     }
-    if (this.isDone) {
-      this.#endSync();
-      this.#until = Infinity;
-    } else this.drawn();
+    if (this.isDone) [this.#hasBegun, this.#until] = [false, Infinity];
+    else this.#draws.mark();
     return this.isDone;
   }
 
   /** Leaves all to the first masks, which wait. */
   skip() {
-    this.#endSync();
     this.#isDone = true;
-  }
-
-  /** Called after each of the host's frames: nothing is taken over until the GPU has drawn it. */
-  drawn() {
-    if (this.isDone || !this.#hasBegun) return;
-    this.#endSync();
-    this.#sync = this.#gl.fenceSync(this.#gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-    this.#gl.flush();
-  }
-
-  /** Whether taking over a program would wait for pending draws. */
-  #isBusy() {
-    const gl = this.#gl;
-    return Boolean(this.#sync) && gl.getSyncParameter(this.#sync, gl.SYNC_STATUS) !== gl.SIGNALED;
-  }
-
-  #endSync() {
-    if (this.#sync) this.#gl.deleteSync(this.#sync);
-    this.#sync = null;
   }
 }

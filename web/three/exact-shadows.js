@@ -14,6 +14,7 @@ import { MaskTextures } from './mask-textures.js';
 import { MaskViews } from './mask-views.js';
 import { MaterialCompiling } from './material-compiling.js';
 import { MaterialPatches } from './material-patch.js';
+import { PendingDraws } from './pending-draws.js';
 import { ProductDrawing } from './product-drawing.js';
 import { Progress, waitFor } from './progress.js';
 import { Readiness } from './readiness.js';
@@ -50,6 +51,7 @@ export class ExactShadows extends EventTarget {
   #cutouts = null;
   #views = null;
   #preparation = null;
+  #draws;
   #texels = null;
   #products = null;
   #displacements = null;
@@ -88,6 +90,7 @@ export class ExactShadows extends EventTarget {
     this.#lost = true;
     this.#views?.forget();
     this.#preparation = null;
+    this.#draws.forget();
     this.#masks?.forget();
     this.#casters?.forget();
     this.#resting?.forget();
@@ -113,6 +116,7 @@ export class ExactShadows extends EventTarget {
     alphaTestedCasting(alphaTestedCast); // throws if there is no such choice
     requireTransparentCast(transparentCast);
     this.#renderer = renderer;
+    this.#draws = new PendingDraws(context);
     this.lightSamples = lightSamples;
     this.alphaTestedCast = alphaTestedCast;
     this.transparentCast = transparentCast;
@@ -134,7 +138,7 @@ export class ExactShadows extends EventTarget {
         this.#products = new TextureProducts(new ProductDrawing(renderer, masks, () => this.#resetRenderer()));
         this.#displacements = new Displacements(renderer, masks, () => this.#resetRenderer());
         this.#casters = new Casters(masks, new AlphaTests((texture) => uploadedIn(renderer, texture), this.#texels, this.#products), new Clippings(renderer), this.#warnings,
-          { displacements: this.#displacements, touched: () => this.#resetRenderer(), failed: (message) => this.#tell(message), isPrepared: () => this.#prepare() });
+          { displacements: this.#displacements, touched: () => this.#resetRenderer(), failed: (message) => this.#tell(message), isPrepared: () => this.#prepare(), isBusy: () => this.#draws.isBusy });
         this.#views = new MaskViews(renderer, masks, this.#casters, (view, viewport) => this.#show(view, viewport));
         this.#resting = new RestingLights(masks, this.#mostLookedUp, () => this.#resetRenderer());
         this.#cutouts = new CutoutMaps(masks, () => this.#resetRenderer());
@@ -264,7 +268,7 @@ export class ExactShadows extends EventTarget {
   /** From here on three.js draws without masks. */
   endMasks() {
     this.#views?.end();
-    this.#preparation?.drawn();
+    if (this.#preparation && !(this.#preparation.isDone && this.#isSettled)) this.#draws.mark();
   }
 
   /** Frees everything; restores the materials. */
@@ -288,6 +292,7 @@ export class ExactShadows extends EventTarget {
     this.#texels = null;
     this.#masks?.dispose();
     this.#masks = null;
+    this.#draws.forget();
   }
 
   /**
@@ -326,7 +331,7 @@ export class ExactShadows extends EventTarget {
 
   /** Prepares for the masks of the last frame, which is out of date once they can be drawn. */
   #start() {
-    this.#preparation = new DrawPreparation(this.#masks, this.#renderer.getContext());
+    this.#preparation = new DrawPreparation(this.#masks, this.#draws);
     if (!this.#last) return this.#progress.invalidate();
     this.#followLast();
     this.#prepare();

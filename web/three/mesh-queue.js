@@ -4,7 +4,7 @@
 /** Milliseconds of steps in a frame; a step that has begun is finished. */
 const frameMilliseconds = 8;
 
-/** Milliseconds that ready meshes wait for others, so that lights are looked up meanwhile. */
+/** Milliseconds that ready meshes wait for others while the GPU is busy: masks are drawn anew once some are added. */
 const patience = 2000;
 
 /** Triangles from which on the worker gets what was read so far. */
@@ -14,6 +14,7 @@ export class MeshQueue {
   #masks;
   #report;
   #isPrepared;
+  #isBusy;
   #waiting = [];
   #next = 0; // of those waiting
   #steps = [];
@@ -27,10 +28,11 @@ export class MeshQueue {
 
   /**
    * `report(sentence)` is called for failures; `isPrepared()`: whether draws of the meshes that were taken over wait
-   * for no programs; until then they aren't added.
+   * for no programs; until then they aren't added. `isBusy()`: whether the GPU has still to draw earlier frames.
    */
-  constructor(masks, report, isPrepared) {
+  constructor(masks, report, isPrepared, isBusy) {
     this.#masks = masks;
+    this.#isBusy = isBusy;
     this.#isPrepared = isPrepared;
     this.#report = report;
   }
@@ -76,11 +78,15 @@ export class MeshQueue {
     return changed;
   }
 
-  /** Lets meshes be added once all are ready, or others take long. Meshes that are taken over may ask for further programs. */
+  /**
+   * Lets meshes be added once all are ready, the GPU rests, or others take long. Meshes that are taken over may ask for
+   * further programs.
+   */
   #release() {
-    if (this.#taking > 0) return;
-    const isBusy = this.#batch || this.#waiting.length + this.#steps.length + this.#calls.size > 0;
-    if (this.#held.length === 0 || (isBusy && performance.now() - this.#heldSince < patience) || !this.#isPrepared()) return;
+    if (this.#taking > 0 || this.#held.length === 0) return;
+    const comesMore = this.#batch || this.#waiting.length + this.#steps.length + this.#calls.size > 0;
+    if (comesMore && performance.now() - this.#heldSince < patience && this.#isBusy()) return;
+    if (!this.#isPrepared()) return;
     const steps = this.#held.splice(0);
     this.#adding += steps.length;
     this.#steps.push(...steps.map((step) => () => {

@@ -81,9 +81,9 @@ export class RestingLights {
     this.#casterState = casterState;
     // Meshes that have been loaded are at rest.
     const since = this.#loads ? now - restMs : now;
-    if (changed) this.#restingSince = since;
     if (moved) this.#castersSince = since;
     if (!settled) this.#restingSince = now;
+    else if (changed || this.#loads) this.#restingSince = since;
     this.#loads = !settled;
     for (const entry of this.#entries.values()) {
       if (!changed && !(moved && entry.isSoft)) continue;
