@@ -335,7 +335,7 @@ CasterScene::Buffers CasterScene::buffersOf(const PreparedMesh::Data& mesh) cons
 void CasterScene::upload(const PreparedMesh& mesh) {
     std::erase_if(ahead_, [](const auto& entry) { return entry.second.mesh.expired(); });
     if (ahead_.contains(mesh.data()->shadow.get())) return;
-    if (!mesh.data()->shadow->caps.empty()) layers_.prepare(mesh.data()->shadow);
+    if (!mesh.data()->shadow->caps.empty()) chains_->of(mesh.data()->shadow);
     ahead_[mesh.data()->shadow.get()] = {
         mesh.data(), buffersOf(*mesh.data()),
         CopyOnWrite(TriangleTree(*mesh.data()->geometry, loaded_.scene.materials))};

@@ -169,8 +169,9 @@ class CasterScene {
     std::size_t draws_ = 0,
                 mergedTriangles_ = 0; ///< calls of mergeResting(); triangles of merged meshes
     std::size_t casterState_ = 0, restingState_ = 0;
-    KeptLayers layers_;
-    LayerSearch moverLayers_;
+    std::shared_ptr<KeptChains> chains_ = std::make_shared<KeptChains>();
+    KeptLayers layers_{chains_};
+    LayerSearch moverLayers_{chains_};
     // Empty, or out of date: something has moved since they were computed.
     std::optional<Box> bounds_;
     SceneTree tree_;

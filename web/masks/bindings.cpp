@@ -3,6 +3,8 @@
 
 #include "edgeshade/shadow_masks.hpp"
 #include "preprocess/base/error.hpp"
+#include "src/engine/merged_meshes.hpp"
+#include "src/engine/mesh_place.hpp"
 #include "web/masks/lookup_maker.hpp"
 #include "web/masks/mesh_arguments.hpp"
 #include "web/masks/mesh_packer.hpp"
@@ -96,28 +98,42 @@ class PageMasks {
     bool upload(int mesh) {
         return done([&] { masks().upload(meshes_.at(mesh)); });
     }
-    void release(int mesh) { meshes_.erase(mesh); }
+    void release(int mesh) {
+        meshes_.erase(mesh);
+        worldFromMerged_.erase(mesh);
+    }
 
     int add(int mesh, std::uintptr_t matrix) {
         int id = -1;
         done([&] { id = static_cast<int>(masks().add(meshes_.at(mesh), matrixAt(matrix))); });
         return id;
     }
-    /// Adds and uploads merged meshes from the worker: `size` bytes from malloc(), which it frees.
-    /// `meshes`: numbers of `count` members, which their ids replace. `matrices`: 16 numbers for
-    /// each.
-    bool addMerged(std::uintptr_t address, std::size_t size, std::uintptr_t meshes,
-                   std::uintptr_t matrices, std::size_t count) {
-        return done([&] {
+    /// Takes over merged meshes from the worker, for upload() and addMerged(): bytes as in take().
+    /// Returns their number.
+    int takeMerged(std::uintptr_t address, std::size_t size) {
+        glm::dmat4 worldFromMerged{1.0};
+        const int number = numberOf([&] {
             const PageBytes bytes(address, size);
+            MergedMesh merged = mergedFromTransfer(bytes.view());
+            worldFromMerged = merged.worldFromMerged;
+            return std::move(merged.mesh);
+        });
+        if (number >= 0) worldFromMerged_.emplace(number, worldFromMerged);
+        return number;
+    }
+    /// Adds merged meshes. `meshes`: numbers of `count` members, which their ids replace.
+    /// `matrices`: 16 numbers for each.
+    bool addMerged(int merged, std::uintptr_t meshes, std::uintptr_t matrices, std::size_t count) {
+        return done([&] {
             auto* const numbers = reinterpret_cast<int*>(meshes);
-            std::vector<MergedMeshes::Member> members;
-            for (std::size_t i = 0; i < count; ++i)
-                members.push_back(
-                    {meshes_.at(numbers[i]), matrixAt(matrices + i * sizeof(Matrix16))});
-            const MergedMeshes merged = mergedFromTransfer(bytes.view(), members);
-            masks().upload(merged);
-            const std::vector<ShadowMasks::Id> ids = masks().add(merged);
+            MergedMeshes::Data data{{}, {}, {meshes_.at(merged), worldFromMerged_.at(merged)}};
+            for (std::size_t i = 0; i < count; ++i) {
+                data.numbers.push_back(i);
+                data.members.push_back({meshes_.at(numbers[i]).data(),
+                                        placeOf(matrixAt(matrices + i * sizeof(Matrix16)))});
+            }
+            const std::vector<ShadowMasks::Id> ids = masks().add(
+                MergedMeshes(std::make_shared<const MergedMeshes::Data>(std::move(data))));
             std::copy(ids.begin(), ids.end(), numbers);
         });
     }
@@ -358,6 +374,7 @@ class PageMasks {
 
     std::optional<ShadowMasks> masks_;
     std::map<int, PreparedMesh> meshes_;
+    std::map<int, glm::dmat4> worldFromMerged_; ///< by number of a merged mesh
     std::map<int, std::shared_ptr<const MaskTexels>> texels_;
     std::map<int, TaskTransfer> tasks_;
     int nextMesh_ = 0, nextTexels_ = 0, nextTask_ = 0;
@@ -376,6 +393,7 @@ EMSCRIPTEN_BINDINGS(edgeshade_masks) {
         .function("upload", &PageMasks::upload)
         .function("release", &PageMasks::release)
         .function("add", &PageMasks::add)
+        .function("takeMerged", &PageMasks::takeMerged)
         .function("addMerged", &PageMasks::addMerged)
         .function("change", &PageMasks::change)
         .function("addTexels", &PageMasks::addTexels)

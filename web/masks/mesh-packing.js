@@ -24,7 +24,7 @@ export class MeshPacking {
   /**
    * `placed`: meshes' indices; `matrices`: 16 numbers for each of them. Resolves with {meshes,
    * merged}: the bytes for Masks.take() or a sentence of each mesh; {members, bytes} of merged
-   * neighbours, with indices into `placed` and the bytes for Masks.addMerged().
+   * neighbours, with indices into `placed` and the bytes for Masks.takeMerged().
    */
   packTogether(meshes, placed, matrices) {
     const own = meshes.map(ownNumbers);

@@ -25,7 +25,7 @@ class MeshPacker {
     std::size_t mergedCount() const { return merged_.size(); }
     /// The merged places of one of them, which the page copies before the next call.
     emscripten::val members(std::size_t merged);
-    /// For Masks.addMerged().
+    /// For Masks.takeMerged().
     emscripten::val mergedBytes(std::size_t merged);
     /// The last mesh, for Masks.take().
     emscripten::val bytes() const;

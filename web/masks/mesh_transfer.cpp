@@ -1,7 +1,6 @@
 #include "web/masks/mesh_transfer.hpp"
 
 #include "src/engine/merged_meshes.hpp"
-#include "src/engine/mesh_place.hpp"
 #include "web/mesh_archive.hpp"
 
 namespace edgeshade::web {
@@ -46,17 +45,11 @@ Bytes toTransfer(const MergedMeshes& meshes) {
     return bytes;
 }
 
-MergedMeshes mergedFromTransfer(std::span<const std::uint8_t> bytes,
-                                std::span<const MergedMeshes::Member> members) {
+MergedMesh mergedFromTransfer(std::span<const std::uint8_t> bytes) {
     Reader reader(bytes);
     glm::dmat4 worldFromMerged{1.0};
     reader(worldFromMerged);
-    MergedMeshes::Data data{{}, {}, {read(reader), worldFromMerged}};
-    for (const MergedMeshes::Member& of : members) {
-        data.numbers.push_back(data.members.size());
-        data.members.push_back({of.mesh.data(), placeOf(of.worldFromObject)});
-    }
-    return MergedMeshes(std::make_shared<const MergedMeshes::Data>(std::move(data)));
+    return {read(reader), worldFromMerged};
 }
 
 } // namespace edgeshade::web

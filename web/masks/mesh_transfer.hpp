@@ -2,6 +2,7 @@
 
 #include "edgeshade/shadow_masks.hpp"
 #include "preprocess/base/file_io.hpp"
+#include "src/engine/mesh_merging.hpp"
 
 namespace edgeshade::web {
 
@@ -16,9 +17,7 @@ PreparedMesh meshFromTransfer(std::span<const std::uint8_t> bytes);
 /// Merged meshes, likewise, without their members, which the page has.
 Bytes toTransfer(const MergedMeshes& meshes);
 
-/// The merged meshes, restored. `members`: those whose indices members() of the merged ones lists,
-/// in that order.
-MergedMeshes mergedFromTransfer(std::span<const std::uint8_t> bytes,
-                                std::span<const MergedMeshes::Member> members);
+/// The mesh that shows them, restored.
+MergedMesh mergedFromTransfer(std::span<const std::uint8_t> bytes);
 
 } // namespace edgeshade::web

@@ -96,7 +96,7 @@ export interface MaskClipping {
 export interface PreparedTogether {
   /** For take(), in the meshes' order; a sentence if one can't be prepared. */
   meshes: (Uint8Array | string)[];
-  /** Neighbours for addMerged(): indices of places, and their data. Other places: see add(). */
+  /** Neighbours for takeMerged(): indices of places, and their data. Other places: see add(). */
   merged: { members: number[]; bytes: Uint8Array }[];
 }
 
@@ -268,17 +268,23 @@ export class ShadowMasks {
   prepareNow(mesh: MaskMesh): number;
   /**
    * Finds the edges of many meshes in a worker, and merges small neighbours among `places`, so that
-   * many meshes take few draws. take() and addMerged() take the result over piece by piece, so that
-   * no frame has to wait.
+   * many meshes take few draws. take(), takeMerged() and addMerged() take the result over piece by
+   * piece, so that no frame has to wait.
    */
   prepareTogether(meshes: MaskMesh[], places: { mesh: number; matrix: Matrix }[]): Promise<PreparedTogether>;
   /** Takes over one of PreparedTogether.meshes. Returns its number. Throws what was wrong with it. */
   take(mesh: Uint8Array | string): number;
   /**
-   * Adds and uploads the members of one of PreparedTogether.merged: their meshes' numbers, and the
-   * same places. Returns their ids. They may then be moved, changed and removed like others.
+   * Takes over one of PreparedTogether.merged. Returns its number, for upload(), addMerged() and
+   * release().
    */
-  addMerged(bytes: Uint8Array, meshes: number[], matrices: Matrix[]): number[];
+  takeMerged(bytes: Uint8Array): number;
+  /**
+   * Adds the members of one of PreparedTogether.merged: its number, or its bytes, which are taken
+   * over and uploaded; its meshes' numbers, and the same places. Returns their ids. They may then be
+   * moved, changed and removed like others.
+   */
+  addMerged(merged: Uint8Array | number, meshes: number[], matrices: Matrix[]): number[];
   /** Uploads it ahead of add(), so that no draw() takes long. */
   upload(mesh: number): void;
   /** Frees the number; meshes that were added with it stay. */

@@ -108,7 +108,7 @@ export class ShadowMasks {
   /**
    * Finds the edges of many meshes in a worker, and merges small neighbours among places: {mesh:
    * index, matrix}. Resolves with {meshes, merged}: what take() takes of each mesh; {members:
-   * indices of places, bytes} for addMerged().
+   * indices of places, bytes} for takeMerged() and addMerged().
    */
   prepareTogether(meshes, places) {
     return this.#packing.packTogether(meshes.map(meshNumbers), places.map(({ mesh }) => mesh), places.flatMap(({ matrix }) => [...matrix]));
@@ -120,13 +120,32 @@ export class ShadowMasks {
     return this.#numberOf(this.#masks.take(...putBytes(this.#program, bytes)));
   }
 
-  /** Adds merged neighbours, and uploads them: their meshes' numbers and places. Returns their ids. */
-  addMerged(bytes, meshes, matrices) {
+  /** Takes over merged neighbours that prepareTogether() prepared. Returns their number. */
+  takeMerged(bytes) {
+    return this.#numberOf(this.#masks.takeMerged(...putBytes(this.#program, bytes)));
+  }
+
+  /**
+   * Adds merged neighbours: their number, or bytes, which are taken over and uploaded, and their meshes' numbers and
+   * places. Returns their ids.
+   */
+  addMerged(merged, meshes, matrices) {
+    if (typeof merged !== 'number') return this.#addBytes(merged, meshes, matrices);
     const numbers = Int32Array.from(meshes), places = Float64Array.from(matrices.flatMap((matrix) => [...matrix]));
     return withCopies(this.#program, [numbers, places], ([first, second]) => {
-      this.#require(this.#inContext(() => this.#masks.addMerged(...putBytes(this.#program, bytes), first, second, numbers.length)));
+      this.#require(this.#masks.addMerged(merged, first, second, numbers.length));
       return [...new Int32Array(this.#program.HEAPU8.buffer, first, numbers.length)];
     });
+  }
+
+  #addBytes(bytes, meshes, matrices) {
+    const merged = this.takeMerged(bytes);
+    try {
+      this.upload(merged);
+      return this.addMerged(merged, meshes, matrices);
+    } finally {
+      this.release(merged);
+    }
   }
 
   /** The same, synchronously. */

@@ -143,10 +143,14 @@ export class MeshQueue {
     const placed = batch.jobs.filter(({ at }) => at);
     const call = this.#masks.prepareTogether(batch.shapes, placed.map(({ mesh, at }) => ({ mesh, matrix: at }))).then(
       ({ meshes, merged }) => {
-        this.#taking += meshes.length;
+        this.#taking += meshes.length + merged.length;
         for (const [i, bytes] of meshes.entries()) this.#steps.push(() => this.#take(batch.entries[i], bytes));
-        if (batch.uploads) this.#steps.push(() => this.#upload(batch.entries[0]));
-        for (const { members, bytes } of merged) this.#hold(() => this.#addMerged(bytes, members.map((member) => placed[member])));
+        if (batch.uploads) this.#steps.push(() => this.#uploadAlone(batch.entries[0]));
+        for (const { members, bytes } of merged) {
+          const group = { number: -1, jobs: members.map((member) => placed[member]) };
+          this.#steps.push(() => this.#takeMerged(group, bytes));
+          this.#hold(() => this.#addMerged(group));
+        }
       },
       ({ message }) => {
         this.#report(message);
@@ -172,16 +176,25 @@ export class MeshQueue {
     }
   }
 
-  #upload({ number, users }) {
-    if (users === 0 || number < 0) return false;
+  #uploadAlone({ number, users }) {
+    return users > 0 && number >= 0 && this.#upload(number);
+  }
+
+  #upload(number) {
     this.#masks.upload(number);
     return true;
   }
 
-  #addMerged(bytes, jobs) {
-    if (!jobs.every((job) => job.isWanted() && job.entry.number >= 0)) return false; // added one by one
-    const ids = this.#masks.addMerged(bytes, jobs.map(({ entry }) => entry.number), jobs.map(({ at }) => at));
-    for (const [i, { placed, at }] of jobs.entries()) placed(ids[i], at);
-    return true;
+  #takeMerged(group, bytes) {
+    this.#taking -= 1;
+    group.number = this.#masks.takeMerged(bytes);
+    this.#steps.unshift(() => this.#upload(group.number));
+  }
+
+  #addMerged({ number, jobs }) {
+    const isWanted = jobs.every((job) => job.isWanted() && job.entry.number >= 0); // otherwise they are added one by one
+    const ids = isWanted ? this.#masks.addMerged(number, jobs.map(({ entry }) => entry.number), jobs.map(({ at }) => at)) : [];
+    this.#masks.release(number);
+    for (const [i, id] of ids.entries()) jobs[i].placed(id, jobs[i].at);
   }
 }

@@ -20,6 +20,17 @@ void fillReach(const Light& light, const std::vector<glm::dvec4>& planes,
 
 } // namespace
 
+const std::shared_ptr<const CasterChain>&
+KeptChains::of(const std::shared_ptr<const PlanePairShadow>& records) {
+    Kept& kept = chains_[records.get()];
+    if (kept.records.expired()) kept = {records, std::make_shared<const CasterChain>(*records)};
+    return kept.chain;
+}
+
+void KeptChains::forgetReleased() {
+    std::erase_if(chains_, [](const auto& item) { return item.second.records.expired(); });
+}
+
 LayerBound LayerSearch::bound(const LayerCasters& casters, std::span<const Light> lights,
                               std::size_t limit, const Box& receivers) {
     LayerBound bound;
@@ -37,7 +48,7 @@ LayerBound LayerSearch::bound(const LayerCasters& casters, std::span<const Light
 std::optional<std::size_t> LayerSearch::bySilhouettes(const LayerCasters& casters,
                                                       const Light& light, std::size_t limit,
                                                       const Box& receivers) {
-    forgetReleased();
+    chains_->forgetReleased();
     const LightView view(light);
     faces_.resize(view.faces.size());
     for (FaceChain& face : faces_)
@@ -69,19 +80,22 @@ std::span<LayerSearch::LitBatch> LayerSearch::findLit(const LightView& view,
     std::size_t count = 0;
     for (std::size_t i = 0; i < followed_.size(); ++i) {
         const Batch& batch = casters.scene.batches[i];
-        if (batch.hidden || !casters.records[i] || casters.records[i]->caps.empty()) continue;
+        if (batch.hidden || !casters.records[i] || casters.records[i]->caps.empty()) {
+            if (followed_[i].chain) followed_[i] = {};
+            continue;
+        }
         const glm::dmat4& worldFromBatch = batch.worldFromBatch;
-        const CasterChain& chain = chainOf(casters.records[i]);
+        const std::shared_ptr<const CasterChain>& chain = chains_->of(casters.records[i]);
         if (lit_.size() == count) lit_.emplace_back();
         LitBatch& of = lit_[count];
         of.light = lightInBatch(light, worldFromBatch);
         fillReach(light, planes_, worldFromBatch, of.reach);
-        if (!of.reach.mayHold(chain.bounds(), of.light)) continue;
+        if (!of.reach.mayHold(chain->bounds(), of.light)) continue;
         Followed& followed = followed_[i];
-        if (followed.chain != &chain) followed = {&chain, {}};
-        of.chain = &chain;
+        if (followed.chain != chain) followed = {chain, {}};
+        of.chain = chain.get();
         of.followed = &followed.of;
-        of.rays = RaysOfBatch(view, worldFromBatch, chain.size());
+        of.rays = RaysOfBatch(view, worldFromBatch, chain->size());
         of.batchFromWorld = glm::inverse(glm::dmat3(worldFromBatch));
         ++count;
     }
@@ -104,22 +118,6 @@ int LayerSearch::countAlong(const glm::dvec3& direction, std::span<const LitBatc
         met += trianglesAlong(direction, of.rays, *of.chain, of.followed->facings(), caps_);
     }
     return met;
-}
-
-void LayerSearch::prepare(const std::shared_ptr<const PlanePairShadow>& records) {
-    forgetReleased();
-    chainOf(records);
-}
-
-void LayerSearch::forgetReleased() {
-    if (std::erase_if(chains_, [](const auto& item) { return item.second.records.expired(); }) > 0)
-        followed_.clear();
-}
-
-const CasterChain& LayerSearch::chainOf(const std::shared_ptr<const PlanePairShadow>& records) {
-    const auto found = chains_.find(records.get());
-    if (found != chains_.end()) return found->second.chain;
-    return chains_.emplace(records.get(), Kept{records, CasterChain(*records)}).first->second.chain;
 }
 
 } // namespace edgeshade

@@ -11,10 +11,32 @@
 
 namespace edgeshade {
 
+/// Keeps what searches find out about records, as long as somebody holds these.
+class KeptChains {
+  public:
+    /// A records' chain, made on first use.
+    const std::shared_ptr<const CasterChain>&
+    of(const std::shared_ptr<const PlanePairShadow>& records);
+
+    /// Forgets records that nobody holds: they are of an earlier pose.
+    void forgetReleased();
+
+  private:
+    struct Kept {
+        std::weak_ptr<const PlanePairShadow> records;
+        std::shared_ptr<const CasterChain> chain;
+    };
+    std::map<const PlanePairShadow*, Kept> chains_;
+};
+
 /// Bounds layers: by silhouettes, and where groups may be needed by triangles. Keeps what it finds
-/// out about records for the next search, as long as somebody holds them.
+/// out for the next search.
 class LayerSearch {
   public:
+    /// `chains`: of searches for the same casters.
+    explicit LayerSearch(std::shared_ptr<KeptChains> chains = std::make_shared<KeptChains>())
+        : chains_(std::move(chains)) {}
+
     /// Bounds the layers around each light. Costs nothing for scenes of at most `limit` triangles.
     /// For several lights the bound holds for every line from any of them, and they share the
     /// groups. `receivers`: where the shadows are seen; the bound holds for lines that end in this
@@ -32,22 +54,15 @@ class LayerSearch {
     std::optional<std::size_t> bySilhouettes(const LayerCasters& casters, const Light& light,
                                              std::size_t limit, const Box& receivers = {});
 
-    /// Finds out about records ahead of a search for casters that have them.
-    void prepare(const std::shared_ptr<const PlanePairShadow>& records);
-
   private:
-    struct Kept {
-        std::weak_ptr<const PlanePairShadow> records;
-        CasterChain chain;
-    };
     /// Keeps what the last light found on its way.
     struct Followed {
-        const CasterChain* chain = nullptr; ///< in chains_
+        std::shared_ptr<const CasterChain> chain; ///< its records may be gone
         FollowedChain of{};
     };
     /// A batch that a light may see.
     struct LitBatch {
-        const CasterChain* chain = nullptr;
+        const CasterChain* chain = nullptr; ///< in chains_
         FollowedChain* followed = nullptr;
         LightInBatch light{};
         CasterReach reach{};
@@ -62,11 +77,8 @@ class LayerSearch {
     /// At most how many certain triangles a ray from a point light meets; no fewer than on any ray
     /// that is next to it.
     int countAlong(const glm::dvec3& direction, std::span<const LitBatch> batches);
-    /// Forgets records that nobody holds: they are of an earlier pose.
-    void forgetReleased();
-    const CasterChain& chainOf(const std::shared_ptr<const PlanePairShadow>& records);
 
-    std::map<const PlanePairShadow*, Kept> chains_;
+    std::shared_ptr<KeptChains> chains_;
     std::vector<Followed> followed_; ///< by batch
     // Memory that searches reuse.
     std::vector<glm::dvec4> planes_; ///< findPlanesBetween()

@@ -10,6 +10,9 @@ namespace edgeshade {
 /// drawn, or have no shadow, or whose static casters aren't counted, are skipped.
 class KeptLayers {
   public:
+    explicit KeptLayers(std::shared_ptr<KeptChains> chains = std::make_shared<KeptChains>())
+        : search_(std::move(chains)) {}
+
     /// Fills in FrameLight::layers; those of lights that have not moved since the last call are
     /// reused. The casters must be unchanged since then; otherwise call clear() first. Returns
     /// false if all were known. `visible`: FrameView::visible. A light that has moved gets a bound
@@ -17,11 +20,6 @@ class KeptLayers {
     bool fill(const LayerCasters& casters, std::vector<FrameLight>& lights, const Box& visible);
 
     void clear() { kept_.clear(); }
-
-    /// Finds out about records ahead of a fill() for casters that have them.
-    void prepare(const std::shared_ptr<const PlanePairShadow>& records) {
-        search_.prepare(records);
-    }
 
   private:
     struct Kept {
