@@ -280,11 +280,12 @@ export class ShadowMasks {
    */
   takeMerged(bytes: Uint8Array): number;
   /**
-   * Adds the members of one of PreparedTogether.merged: its number, or its bytes, which are taken
-   * over and uploaded; its meshes' numbers, and the same places. Returns their ids. They may then be
-   * moved, changed and removed like others.
+   * Adds the members of one of PreparedTogether.merged: its number, its meshes' numbers, and the same
+   * places. Returns their ids. They may then be moved, changed and removed like others.
    */
-  addMerged(merged: Uint8Array | number, meshes: number[], matrices: Matrix[]): number[];
+  addMerged(merged: number, meshes: number[], matrices: Matrix[]): number[];
+  /** The same, but takes over and uploads the bytes first. */
+  addMerged(bytes: Uint8Array, meshes: number[], matrices: Matrix[]): number[];
   /** Uploads it ahead of add(), so that no draw() takes long. */
   upload(mesh: number): void;
   /** Frees the number; meshes that were added with it stay. */

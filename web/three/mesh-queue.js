@@ -4,7 +4,7 @@
 /** Milliseconds of steps in a frame; a step that has begun is finished. */
 const frameMilliseconds = 8;
 
-/** Milliseconds that ready meshes wait for others while the GPU is busy: masks are drawn anew once some are added. */
+/** Milliseconds that ready meshes wait for others while the GPU is busy: masks are drawn again once some are added. */
 const patience = 2000;
 
 /** Triangles from which on the worker gets what was read so far. */

@@ -1,4 +1,4 @@
-// What the GPU has still to draw, asked without waiting for it.
+// Asks whether the GPU has still to draw earlier frames, without waiting for it.
 
 export class PendingDraws {
   #gl;

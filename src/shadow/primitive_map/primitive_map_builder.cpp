@@ -248,9 +248,8 @@ class PrimitiveMapBuilder::PartBuilder {
         part_.blocks.resize(block + squares);
         builder_.charge(squares, 0);
         for (std::size_t i = 0; i < squares; ++i) {
-            const Texel piece =
-                settle(placeOf(i, at, side), side / pieces, (*divided)[i], splits + 1,
-                       longerForPieces * longestWhole);
+            const Texel piece = settle(placeOf(i, at, side), side / pieces, (*divided)[i],
+                                       splits + 1, longerForPieces * longestWhole);
             part_.blocks[block + i] = piece; // settling may have moved the blocks
         }
         return texel;
