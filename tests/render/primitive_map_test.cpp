@@ -287,6 +287,40 @@ TEST(PrimitiveMapBuilding, ListsAreDividedWhereTheyAreLong) {
     EXPECT_GT(map.headers, 16u * 16u);
 }
 
+/// Number of pieces of texels that are divided in turn.
+std::size_t dividedPieces(const PrimitiveMap& map) {
+    std::size_t divided = 0;
+    const auto size = static_cast<std::size_t>(map.size);
+    const std::size_t texels = map.tiles.tiles.size() * size * size;
+    for (std::size_t i = texels; i < map.headers; ++i) {
+        const glm::vec4& pairs = map.texels[i / 2];
+        divided += (i % 2 == 0 ? pairs.y : pairs.w) < 0.0f ? 1 : 0;
+    }
+    return divided;
+}
+
+/// Small triangles in a heap over a floor that is sixteen times as wide.
+Scene heap(int triangles) {
+    Draw draw(7);
+    SceneBuilder builder;
+    builder.floor(4.0f, -1.5f);
+    for (int i = 0; i < triangles; ++i) {
+        const glm::vec3 at(0.25 * draw.inCube());
+        builder.triangle(at, at + glm::vec3(0.2 * draw.inCube()),
+                         at + glm::vec3(0.2 * draw.inCube()));
+    }
+    return builder.scene();
+}
+
+TEST(PrimitiveMapBuilding, PiecesAreDividedFromLongerListsOn) {
+    const Scene few = heap(16), many = heap(90);
+    ASSERT_LE(few.triangleCount(), 18u);
+    const PrimitiveMap ofFew = mapOf(few, lights()[0], 4, false);
+    EXPECT_GT(ofFew.headers, 4u * 4u);
+    EXPECT_EQ(dividedPieces(ofFew), 0u);
+    EXPECT_GT(dividedPieces(mapOf(many, lights()[0], 4, false)), 0u);
+}
+
 // A worker's memory is zeroed page by page, and never shrinks: arrays that grow by doubling would
 // take up to three times as much. How many records there will be is not known ahead.
 TEST(PrimitiveMapBuilding, TakesNoMoreMemoryThanItsArrays) {

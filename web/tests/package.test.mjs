@@ -56,10 +56,10 @@ const packed = (() => {
   }
 })();
 
-test('the package is at most 1.72 MB, 4.60 MB unpacked', { skip }, () => {
+test('the package is at most 1.72 MB, 4.61 MB unpacked', { skip }, () => {
   const { size, unpackedSize } = packed;
   console.log(`tarball ${size} bytes, unpacked ${unpackedSize}`);
-  assert.ok(size <= 1.72e6 && unpackedSize <= 4.6e6);
+  assert.ok(size <= 1.72e6 && unpackedSize <= 4.61e6);
 });
 
 test('three.js\' adapter weighs at most 497 KB, its hours of sun 172 KB more when asked for, the element 820 KB, without a bundler, compressed', { skip }, () => {
