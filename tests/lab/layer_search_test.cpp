@@ -438,6 +438,19 @@ TEST(LayerSearch, KeepsNothingOfRecordsThatAreGone) {
     }
 }
 
+TEST(KeptChains, TellRecordsApartThatFollowEachOtherAtOneAddress) {
+    KeptChains chains;
+    PlanePairShadow place;
+    const auto chainOf = [&](int count) {
+        place = *buildPlanePairs(sheets(count), false)[0];
+        const std::shared_ptr<const PlanePairShadow> records(&place, [](const auto*) {});
+        EXPECT_EQ(chains.of(records), chains.of(records));
+        return chains.of(records);
+    };
+    const auto first = chainOf(150), second = chainOf(40);
+    EXPECT_NE(first, second);
+}
+
 // One of the searches sits out while records go and others come, perhaps at the same addresses.
 TEST(LayerSearch, SearchesThatShareChainsBoundAlike) {
     const auto chains = std::make_shared<KeptChains>();

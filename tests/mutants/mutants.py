@@ -590,7 +590,7 @@ MUTANTS = (
     ("chains of records that are gone serve others at their address",
      "src/shadow/layers/layer_search.cpp",
      "if (kept.records.expired())", "if (!kept.chain)",
-     "layer_bound_test", "LayerSearch.SearchesThatShare*"),
+     "layer_bound_test", "KeptChains.*"),
     ("pieces of texels are divided as early as texels",
      "src/shadow/primitive_map/primitive_map_builder.cpp",
      "longerForPieces = 3;", "longerForPieces = 1;",
