@@ -292,10 +292,8 @@ std::size_t dividedPieces(const PrimitiveMap& map) {
     std::size_t divided = 0;
     const auto size = static_cast<std::size_t>(map.size);
     const std::size_t texels = map.tiles.tiles.size() * size * size;
-    for (std::size_t i = texels; i < map.headers; ++i) {
-        const glm::vec4& pairs = map.texels[i / 2];
-        divided += (i % 2 == 0 ? pairs.y : pairs.w) < 0.0f ? 1 : 0;
-    }
+    for (std::size_t i = texels; i < map.headers; ++i)
+        divided += test::pairAt(map.texels, i).y < 0.0f ? 1 : 0;
     return divided;
 }
 

@@ -111,15 +111,12 @@ class PageMasks {
     /// Takes over merged meshes from the worker, for upload() and addMerged(): bytes as in take().
     /// Returns their number.
     int takeMerged(std::uintptr_t address, std::size_t size) {
-        glm::dmat4 worldFromMerged{1.0};
-        const int number = numberOf([&] {
+        return numberOf([&] {
             const PageBytes bytes(address, size);
             MergedMesh merged = mergedFromTransfer(bytes.view());
-            worldFromMerged = merged.worldFromMerged;
+            worldFromMerged_[nextMesh_] = merged.worldFromMerged;
             return std::move(merged.mesh);
         });
-        if (number >= 0) worldFromMerged_.emplace(number, worldFromMerged);
-        return number;
     }
     /// Adds merged meshes. `meshes`: numbers of `count` members, which their ids replace.
     /// `matrices`: 16 numbers for each.

@@ -144,11 +144,11 @@ export class MeshQueue {
     const call = this.#masks.prepareTogether(batch.shapes, placed.map(({ mesh, at }) => ({ mesh, matrix: at }))).then(
       ({ meshes, merged }) => {
         this.#taking += meshes.length + merged.length;
-        for (const [i, bytes] of meshes.entries()) this.#steps.push(() => this.#take(batch.entries[i], bytes));
-        if (batch.uploads) this.#steps.push(() => this.#uploadAlone(batch.entries[0]));
+        for (const [i, bytes] of meshes.entries()) this.#steps.push(() => this.#takeOver(batch.entries[i], () => this.#masks.take(bytes)));
+        if (batch.uploads) this.#steps.push(() => this.#upload(batch.entries[0]));
         for (const { members, bytes } of merged) {
-          const group = { number: -1, jobs: members.map((member) => placed[member]) };
-          this.#steps.push(() => this.#takeMerged(group, bytes));
+          const group = { number: null, users: 1, jobs: members.map((member) => placed[member]) };
+          this.#steps.push(() => this.#takeOver(group, () => this.#masks.takeMerged(bytes)), () => this.#upload(group));
           this.#hold(() => this.#addMerged(group));
         }
       },
@@ -165,34 +165,26 @@ export class MeshQueue {
     this.#calls.add(call);
   }
 
-  #take(entry, bytes) {
+  /** `entry`: {number, users}, of a mesh or a merged group; its number becomes what `take()` returns, -1 if that fails. */
+  #takeOver(entry, take) {
     this.#taking -= 1;
     if (entry.number !== null || entry.users === 0) return;
     try {
-      entry.number = this.#masks.take(bytes);
+      entry.number = take();
     } catch ({ message }) {
       entry.number = -1;
       this.#report(message);
     }
   }
 
-  #uploadAlone({ number, users }) {
-    return users > 0 && number >= 0 && this.#upload(number);
-  }
-
-  #upload(number) {
+  #upload({ number, users }) {
+    if (users === 0 || number < 0) return false;
     this.#masks.upload(number);
     return true;
   }
 
-  #takeMerged(group, bytes) {
-    this.#taking -= 1;
-    group.number = this.#masks.takeMerged(bytes);
-    this.#steps.unshift(() => this.#upload(group.number));
-  }
-
   #addMerged({ number, jobs }) {
-    const isWanted = jobs.every((job) => job.isWanted() && job.entry.number >= 0); // otherwise they are added one by one
+    const isWanted = number >= 0 && jobs.every((job) => job.isWanted() && job.entry.number >= 0); // otherwise they are added one by one
     const ids = isWanted ? this.#masks.addMerged(number, jobs.map(({ entry }) => entry.number), jobs.map(({ at }) => at)) : [];
     this.#masks.release(number);
     for (const [i, id] of ids.entries()) jobs[i].placed(id, jobs[i].at);

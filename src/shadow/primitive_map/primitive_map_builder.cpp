@@ -187,8 +187,7 @@ class PrimitiveMapBuilder::PartBuilder {
             Texel& texel = part_.texels[static_cast<std::size_t>(y - part_.y) *
                                             static_cast<std::size_t>(part_.side) +
                                         static_cast<std::size_t>(x - part_.x)];
-            texel = settle({static_cast<double>(x), static_cast<double>(y)}, 1.0, found, 0,
-                           builder_.settings_.splitAbove);
+            texel = settle({static_cast<double>(x), static_cast<double>(y)}, 1.0, found, 0);
             return;
         }
         const int step = std::max(1, side / pieces);
@@ -229,14 +228,12 @@ class PrimitiveMapBuilder::PartBuilder {
     }
 
     /// The reference for a texel, or a piece of one, with the occluders `found` in it.
-    /// `longestWhole`: length of the longest list that is not divided.
-    Texel settle(const glm::dvec2& at, double side, const TexelOccluders& found, int splits,
-                 std::size_t longestWhole) {
+    Texel settle(const glm::dvec2& at, double side, const TexelOccluders& found, int splits) {
         Texel texel;
         texel.darkBehind = roundedUp(found.darkBehind);
         const PrimitiveMapSettings& settings = builder_.settings_;
         if (found.listed.empty() || builder_.tooLarge_) return texel;
-        const bool isLong = splits < settings.mostSplits && found.forCasters > longestWhole;
+        const bool isLong = splits < settings.mostSplits && found.forCasters > longestWhole(splits);
         const Found* const divided = isLong ? &piecesOf(at, side, found, splits) : nullptr;
         if (!divided || !areShorter(*divided, found)) {
             texel.reference = static_cast<std::int32_t>(part_.lists.size() + 1);
@@ -248,11 +245,19 @@ class PrimitiveMapBuilder::PartBuilder {
         part_.blocks.resize(block + squares);
         builder_.charge(squares, 0);
         for (std::size_t i = 0; i < squares; ++i) {
-            const Texel piece = settle(placeOf(i, at, side), side / pieces, (*divided)[i],
-                                       splits + 1, longerForPieces * longestWhole);
+            const Texel piece =
+                settle(placeOf(i, at, side), side / pieces, (*divided)[i], splits + 1);
             part_.blocks[block + i] = piece; // settling may have moved the blocks
         }
         return texel;
+    }
+
+    /// Length of the longest list that is not divided, of a piece after so many splits.
+    std::size_t longestWhole(int splits) const {
+        std::size_t length = builder_.settings_.splitAbove;
+        for (int i = 0; i < splits; ++i)
+            length *= longerForPieces;
+        return length;
     }
 
     void addList(const TexelOccluders& found) {
