@@ -1,6 +1,6 @@
 // Processor time of ShadowMasks::draw() for a scene of many meshes, one for each node of a glTF
-// file, under a light that moves. `mask_times SCENE...` prints JSON. With null_gl in front of the
-// GL it is the processor's share.
+// file, under a light that moves, and under three at rest. `mask_times SCENE...` prints JSON. With
+// null_gl in front of the GL it is the processor's share.
 #include "edgeshade/shadow_masks.hpp"
 #include "src/bench/flythrough.hpp"
 #include "src/bench/statistics.hpp"
@@ -59,26 +59,36 @@ Json measured(const std::string& path) {
         meshes += addMeshes(masks, batch);
     const double aspect = static_cast<double>(width) / height;
     const bench::Flythrough flight(bounds, 50.0, aspect);
-    std::vector<double> ms;
-    for (int frame = 0; frame < frames; ++frame) {
+    const auto drawn = [&](int frame, std::span<const MaskLight> lights) {
         const Frustum frustum =
             frustumOf(flight.cameraAt(static_cast<double>(frame) / frames), aspect);
         const MaskView view{.viewFromWorld = numbersOf(frustum.viewFromWorld),
                             .clipFromView = numbersOf(clipFromView(frustum, 0.1, 1e4)),
                             .width = width,
                             .height = height};
+        masks.draw(view, lights);
+        return masks.cost().drawMs;
+    };
+    std::vector<double> ms, atRest;
+    for (int frame = 0; frame < frames; ++frame) {
         MaskLight light;
         light.direction = {-0.4 + 0.002 * frame, -1.0, -0.3};
-        masks.draw(view, {&light, 1});
-        ms.push_back(masks.cost().drawMs);
+        ms.push_back(drawn(frame, {&light, 1}));
     }
+    std::array<MaskLight, 3> resting;
+    for (std::size_t i = 0; i < resting.size(); ++i)
+        resting[i].direction = {-0.4 + 0.3 * static_cast<double>(i), -1.0, -0.3};
+    for (int frame = 0; frame < frames / 4; ++frame)
+        atRest.push_back(drawn(frame, resting));
     return {{"scene", std::filesystem::path(path).stem().string()},
             {"meshes", meshes},
             {"batches", masks.cost().batches},
             {"first_ms", ms.front()},
             {"single_ms", bench::median({ms.begin() + 4, ms.begin() + 28})},
             {"merging_ms", *std::max_element(ms.begin() + 28, ms.end())},
-            {"merged_ms", bench::median({ms.end() - 50, ms.end()})}};
+            {"merged_ms", bench::median({ms.end() - 50, ms.end()})},
+            {"three_at_rest_ms", bench::median({atRest.begin() + 10, atRest.end()})},
+            {"three_at_rest_vertex_runs", masks.cost().vertexRuns}};
 }
 
 } // namespace

@@ -103,7 +103,7 @@ void GrazedSurfaces::mark(const GpuScene& scene, const FrameView& view, const De
         const Triangles& triangles = trianglesOf(batch);
         if (areApart(view.visible, triangles.box, batch.worldFromBatch)) continue;
         const glm::dvec4 light = placeInObject(view.lights[index].light, batch.worldFromBatch);
-        Grazed& grazed = grazed_[{index, b}];
+        Grazed& grazed = grazed_[{view.numberOf(index), b}];
         const Geometry* geometry = &*batch.geometry;
         if (grazed.geometry != geometry || grazed.light != light ||
             grazed.smoothAlone == view.mask) {

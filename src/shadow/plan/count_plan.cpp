@@ -75,7 +75,7 @@ void addClusters(const PlacedShadow& caster, PlanView& place, const PlanSettings
 /// The silhouettes of a batch that is drawn.
 const SilhouetteList& silhouettesOf(const BatchPlan& of, double range, const FrameView& view,
                                     std::size_t light, PotentialSilhouettes& silhouettes) {
-    SilhouetteKey key{of.shadow, of.batch, light};
+    SilhouetteKey key{of.shadow, of.batch, view.numberOf(light)};
     key.range = range;
     key.reach = of.reach;
     if (const auto& among = view.lights[light].among) {

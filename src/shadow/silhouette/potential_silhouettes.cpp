@@ -4,8 +4,8 @@ namespace edgeshade {
 namespace {
 
 /// Frames after which an unused list is deleted, such as a group of casters for a light that has
-/// moved on. Some callers draw a frame's lights one by one.
-constexpr std::size_t framesKept = 16;
+/// moved on. Some callers draw up to 32 lights one by one.
+constexpr std::size_t framesKept = 64;
 
 std::array<std::uint32_t, 4> bitsOf(const glm::vec4& value) {
     return {glm::floatBitsToUint(value.x), glm::floatBitsToUint(value.y),

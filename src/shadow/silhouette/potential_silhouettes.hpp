@@ -15,7 +15,7 @@ namespace edgeshade {
 struct SilhouetteKey {
     std::shared_ptr<const PlanePairShadow> shadow;
     std::size_t batch = 0; ///< its index in the scene; several batches may share these records
-    std::size_t light = 0; ///< its index in the view
+    std::size_t light = 0; ///< its number, as of FrameView::numberOf()
     /// For a light's points: a ball that holds all of them, in the batch's space. One list serves
     /// them all.
     std::optional<LightBall> around{};

@@ -129,6 +129,13 @@ void FrameView::divide(std::optional<int> count) {
     if (!frustum.orthographic) divideDepth(near(), farthestDepth, count, slices);
 }
 
+FrameView aloneView(const FrameView& view, std::size_t light) {
+    FrameView alone = view;
+    alone.lights = {view.lights[light]};
+    alone.lights[0].number = view.numberOf(light);
+    return alone;
+}
+
 FrameView pointsView(const FrameView& view, std::size_t light, std::size_t first,
                      std::size_t count) {
     FrameView result = view;

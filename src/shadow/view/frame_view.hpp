@@ -61,10 +61,12 @@ struct FrameLight {
     /// Points that stand for its extent; empty: it has none. `layers` then hold for all of them.
     std::vector<Light> points{};
     std::optional<AmongPoints> among{}; ///< set if it is a point of another light
-    bool atOnce = false;  ///< in a mask: adds the number of its visible points, of 255, by its
-                          ///< primitive map
-    double weight = 1.0;  ///< its share of one light's contribution to the picture
-    bool shadowed = true; ///< otherwise casters don't block it, see keepShadowed()
+    bool atOnce = false; ///< in a mask: adds the number of its visible points, of 255, by its
+                         ///< primitive map
+    std::optional<std::size_t> number{}; ///< by which renderers know it from frame to frame; null:
+                                         ///< its index in the view
+    double weight = 1.0;                 ///< its share of one light's contribution to the picture
+    bool shadowed = true;                ///< otherwise casters don't block it, see keepShadowed()
 
     /// The lights whose shadows are counted.
     std::span<const Light> counted() const {
@@ -102,6 +104,7 @@ struct FrameView {
     bool depthDrawn = false;
 
     double near() const { return slices.back().near; }
+    std::size_t numberOf(std::size_t light) const { return lights[light].number.value_or(light); }
     /// Makes it as new, and keeps the memory of its arrays.
     void clear();
     /// Divides the depth range again, see divideDepth(). An orthographic picture stays undivided.
@@ -135,6 +138,9 @@ FrameView makeFrameView(const Scene& scene, const FrameRequest& request, const B
 
 /// Most masks that an 8-bit picture can add up.
 inline constexpr std::size_t mostSummed = 255;
+
+/// A view of one of the lights, which keeps its number.
+FrameView aloneView(const FrameView& view, std::size_t light);
 
 /// A view whose picture is the sum of the lit masks of `count` points of a light.
 FrameView pointsView(const FrameView& view, std::size_t light, std::size_t first,
