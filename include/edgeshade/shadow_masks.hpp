@@ -264,6 +264,13 @@ class ShadowMasks {
     /// missing.
     bool prepareToDraw(const MaskView& view, std::span<const MaskLight> lights);
 
+    /// Takes one step of what draw() of the same takes before it draws: uploads meshes, bounds
+    /// layers, lists silhouettes. Returns whether all of it is there. For hosts that add many
+    /// meshes to a still picture, and can wait some frames for their shadows so that none takes
+    /// long; draw() does whatever is missing. Throws as draw() does.
+    bool planAhead(const MaskView& view, std::span<const MaskLight> lights,
+                   std::span<const LookupId> lookups = {});
+
     /// Draws the masks: 1 where nothing opaque, the surface itself included, lies between the
     /// surface and the light; 0 in shadow and outside cones and ranges. For a light with an extent
     /// it is the share of its points that are visible. 1 where there is no surface. Leaves the GL's

@@ -78,9 +78,6 @@ std::vector<CasterScene::Id> CasterScene::add(const MergedMeshes& meshes) {
     for (const PlacedMesh& of : group.members)
         batches.push_back(insert(PreparedMesh(of.mesh), of.worldFromMesh));
     if (mergedTriangles_ + mostTrianglesMerged <= mostMerged) showMerged(batches, group.merged);
-    // Callers add groups one by one, so that the next draw() needn't do this for all.
-    bounds();
-    tree();
     return {batches.begin(), batches.end()};
 }
 
@@ -200,6 +197,7 @@ void CasterScene::place(std::size_t batch, const glm::dmat4& worldFromBatch) {
     loaded_.scene.batches[batch].worldFromBatch = worldFromBatch;
     gpu_->batches[batch].worldFromBatch = worldFromBatch;
     slots_[batch].inWorld.reset();
+    slots_[batch].ownInWorld.reset();
     changed();
 }
 
@@ -210,6 +208,7 @@ void CasterScene::put(std::size_t batch, const PreparedMesh& mesh) {
     slot.alpha = {};
     slot.changed = draws_;
     slot.own = boundsOf(*slot.whole->geometry);
+    slot.ownInWorld.reset();
     clip(batch);
     if (cast || slot.casts()) casterChanged(batch);
     show(batch, slot.mesh);
@@ -261,12 +260,14 @@ std::vector<MergeCandidate> CasterScene::candidates() const {
     return found;
 }
 
-Box CasterScene::worldBox(std::size_t batch) const {
-    Box box;
+const Box& CasterScene::worldBox(std::size_t batch) const {
+    std::optional<Box>& box = slots_[batch].ownInWorld;
+    if (box) return *box;
+    box.emplace();
     for (int corner = 0; corner < 8; ++corner)
-        box.add(loaded_.scene.batches[batch].worldFromBatch *
-                glm::dvec4(slots_[batch].own.corner(corner), 1.0));
-    return box;
+        box->add(loaded_.scene.batches[batch].worldFromBatch *
+                 glm::dvec4(slots_[batch].own.corner(corner), 1.0));
+    return *box;
 }
 
 void CasterScene::mergeResting() {
@@ -321,6 +322,8 @@ void CasterScene::changed() {
     bounds_.reset();
     treeIsCurrent_ = false;
     layers_.clear();
+    for (MoverLayers& of : moverLayers_)
+        of.layers.clear();
     gpu_->groups.clear();
 }
 
@@ -341,9 +344,9 @@ void CasterScene::upload(const PreparedMesh& mesh) {
         CopyOnWrite(TriangleTree(*mesh.data()->geometry, loaded_.scene.materials))};
 }
 
-void CasterScene::upload() {
+bool CasterScene::upload() {
     if (std::all_of(slots_.begin(), slots_.end(), [](const Slot& of) { return of.uploaded; }))
-        return;
+        return false;
     tree(); // while trees that were made ahead are there
     std::map<const PlanePairShadow*, std::size_t> first;
     for (std::size_t i = 0; i < slots_.size(); ++i)
@@ -368,6 +371,7 @@ void CasterScene::upload() {
     std::set<const PlanePairBuffers*> owned;
     for (GpuBatch& batch : gpu_->batches)
         batch.owns = owned.insert(batch.volumes.planePairs.get()).second;
+    return true;
 }
 
 bool CasterScene::hasCasters() const {
@@ -440,23 +444,35 @@ CasterScene::Movers CasterScene::moversOver(std::span<const HeldCaster> held) co
     return movers;
 }
 
-void CasterScene::countMovers(FrameLight& light, const Movers& movers, const Box& visible) {
-    std::vector<std::shared_ptr<const PlanePairShadow>> records(slots_.size());
-    for (std::size_t i = 0; i < slots_.size(); ++i) {
-        const auto& members = slots_[i].members;
-        gpu_->batches[i].animated =
-            movers.counted[i] ||
-            std::any_of(members.begin(), members.end(),
-                        [&](std::size_t member) { return movers.counted[member]; });
-        if (gpu_->batches[i].animated) records[i] = loaded_.planePairs[i];
-    }
-    light.animatedAlone = true;
-    const LayerCasters casters{loaded_.scene, records, loaded_.settings.castMasked};
-    light.layers = moverLayers_.bound(casters, light.counted(), stencilLimit, visible);
+bool CasterScene::draws(std::size_t batch, const Movers& movers) const {
+    const auto& members = slots_[batch].members;
+    return movers.counted[batch] ||
+           std::any_of(members.begin(), members.end(),
+                       [&](std::size_t member) { return movers.counted[member]; });
 }
 
-void CasterScene::fillLayers(FrameView& view) {
-    layers_.fill(loaded_.layerCasters(), view.lights, view.visible);
+void CasterScene::animate(const Movers& movers) {
+    for (std::size_t i = 0; i < slots_.size(); ++i)
+        gpu_->batches[i].animated = draws(i, movers);
+}
+
+bool CasterScene::fillLayers(FrameView& view) {
+    return layers_.fill(loaded_.layerCasters(), view.lights, view.visible);
+}
+
+bool CasterScene::fillLayers(FrameView& view, std::size_t light, const Movers& movers) {
+    while (moverLayers_.size() < view.lights.size())
+        moverLayers_.push_back({KeptLayers(chains_)});
+    MoverLayers& kept = moverLayers_[light];
+    if (kept.counted != movers.counted) {
+        kept.layers.clear();
+        kept.counted = movers.counted;
+    }
+    std::vector<std::shared_ptr<const PlanePairShadow>> records(slots_.size());
+    for (std::size_t i = 0; i < slots_.size(); ++i)
+        if (draws(i, movers)) records[i] = loaded_.planePairs[i];
+    const LayerCasters casters{loaded_.scene, records, loaded_.settings.castMasked};
+    return kept.layers.fillMovers(casters, view.lights[light], view.visible);
 }
 
 const Box& CasterScene::bounds() {

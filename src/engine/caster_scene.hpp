@@ -46,10 +46,11 @@ class CasterScene {
     /// Uploads a mesh ahead of add(), makes the tree of its triangles, and prepares its records for
     /// fillLayers(); dropped when nobody holds the mesh any more.
     void upload(const PreparedMesh& mesh);
-    /// Uploads all meshes that are missing on the GPU, each mesh once.
-    void upload();
-    /// Fills in the layers of the view's lights, except those that count movers alone.
-    void fillLayers(FrameView& view);
+    /// Uploads all meshes that are missing on the GPU, each mesh once. Returns whether any were.
+    bool upload();
+    /// Fills in the layers of the view's lights, except those that count movers alone. Returns
+    /// whether any weren't known yet.
+    bool fillLayers(FrameView& view);
 
     bool hasCasters() const;
     /// Casters for a light's map, in their places.
@@ -76,9 +77,11 @@ class CasterScene {
     };
     /// All that are held must be casters.
     Movers moversOver(std::span<const HeldCaster> held) const;
-    /// Makes a light count only movers: sets FrameLight::animatedAlone, its layers, and which
-    /// batches are animated.
-    void countMovers(FrameLight& light, const Movers& movers, const Box& visible);
+    /// Fills in the layers of one of the view's lights that counts movers alone. Returns whether
+    /// they weren't known yet.
+    bool fillLayers(FrameView& view, std::size_t light, const Movers& movers);
+    /// Makes these the animated batches.
+    void animate(const Movers& movers);
 
     const LoadedScene& loaded() const { return loaded_; }
     GpuScene& gpu() { return *gpu_; }
@@ -113,6 +116,7 @@ class CasterScene {
         MaskTintTexture tintTexture;
         CasterRest rest{};                       ///< as a caster
         Box own;                                 ///< of the whole mesh, in its space
+        mutable std::optional<Box> ownInWorld{}; ///< the same in the world; empty: out of date
         std::optional<Box> inWorld{};            ///< of the batch's vertices; empty: out of date
         std::size_t changed = 0;                 ///< the draw() before which it last changed
         std::size_t patience = shortRest;        ///< draws that it has to rest before it is merged
@@ -124,6 +128,11 @@ class CasterScene {
             return caster && (tint || cutsOut() || !caster->shadow->caps.empty());
         }
         bool isClipped() const { return mesh != whole; }
+    };
+    /// Layers of a light that counts movers alone, and which these were.
+    struct MoverLayers {
+        KeptLayers layers;
+        std::vector<char> counted{};
     };
     static constexpr std::size_t shortRest = 30, longRest = 3000;   // draws
     static constexpr std::size_t mostMerged = std::size_t{1} << 20; // triangles
@@ -154,7 +163,9 @@ class CasterScene {
     /// Notes that a caster comes, goes or changes: maps of it end. `moves`: it is a mover for a
     /// while, which the next maps don't hold.
     void casterChanged(std::size_t batch, bool moves = true);
-    Box worldBox(std::size_t batch) const;
+    const Box& worldBox(std::size_t batch) const;
+    /// Whether a batch draws a mover.
+    bool draws(std::size_t batch, const Movers& movers) const;
     bool isCaster(std::size_t batch) const {
         return slots_[batch].use == Slot::Use::mesh && slots_[batch].casts();
     }
@@ -171,7 +182,7 @@ class CasterScene {
     std::size_t casterState_ = 0, restingState_ = 0;
     std::shared_ptr<KeptChains> chains_ = std::make_shared<KeptChains>();
     KeptLayers layers_{chains_};
-    LayerSearch moverLayers_{chains_};
+    std::vector<MoverLayers> moverLayers_; ///< by light
     // Empty, or out of date: something has moved since they were computed.
     std::optional<Box> bounds_;
     SceneTree tree_;

@@ -105,6 +105,15 @@ Box withRoom(Box receivers) {
 
 } // namespace
 
+/// A view of the casters, with what is counted for each of its lights.
+struct MaskPlan {
+    Frustum asked; ///< the host's
+    FrameView view{};
+    std::vector<std::optional<CasterScene::Movers>> movers{}; ///< empty: all casters
+    std::vector<PixelRectangle> parts{};                      ///< beyond them masks are 1
+    bool isNew = false; ///< whether layers had to be bounded that are known from now on
+};
+
 /// Everything needed to draw; created and destroyed with the host's state kept.
 struct MaskDrawing {
     explicit MaskDrawing(const gl::Capabilities& of)
@@ -118,6 +127,11 @@ struct MaskDrawing {
     /// `of`: by light, see ShadowMasks::draw().
     void draw(const MaskView& view, const std::vector<Light>& lights,
               std::span<const ShadowMasks::LookupId> of);
+    /// Takes one step of what such a draw takes first. Returns whether it is all there.
+    bool planAhead(const MaskView& view, const std::vector<Light>& lights,
+                   std::span<const ShadowMasks::LookupId> of);
+    MaskPlan plan(const MaskView& view, const std::vector<Light>& lights,
+                  std::span<const ShadowMasks::LookupId> of);
     /// `view`: perhaps a part of it, beyond which the light's mask is 1.
     void drawLight(const FrameView& view, std::size_t light);
     /// Makes a light's mask 1.
@@ -203,39 +217,63 @@ void MaskDrawing::forEachProgram(const gl::ProgramVisitor& visit) const {
     channel.forEachProgram(visit);
 }
 
-void MaskDrawing::draw(const MaskView& of, const std::vector<Light>& lights,
-                       std::span<const ShadowMasks::LookupId> ids) {
+MaskPlan MaskDrawing::plan(const MaskView& of, const std::vector<Light>& lights,
+                           std::span<const ShadowMasks::LookupId> ids) {
     FrameRequest request{.frustum =
                              frustumOf(matrixOf(of.viewFromWorld), matrixOf(of.clipFromView)),
                          .width = of.width,
                          .height = of.height,
                          .lights = lights};
     request.lightSamples = of.lightSamples;
+    request.nearestDepths = false; // volumes are drawn from plane-pair records
+    MaskPlan made{request.frustum};
+    FrameView& view = made.view;
+    makeFrameView(casters.loaded().scene, request, casters.bounds(), casters.tree(), view);
+    view.mask = view.sumsMasks = true;
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        auto& movers = made.movers.emplace_back();
+        view.lights[i].animatedAlone = !ids.empty() && ids[i] != ShadowMasks::noLookup;
+        if (view.lights[i].animatedAlone) movers = casters.moversOver(lookups.held(ids[i]));
+        made.parts.push_back(movers ? shadowReach(view, movers->bounds, view.lights[i].light)
+                                    : PixelRectangle{0, 0, of.width, of.height});
+    }
+    made.isNew = casters.fillLayers(view);
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        if (made.movers[i]) made.isNew = casters.fillLayers(view, i, *made.movers[i]) || made.isNew;
+    return made;
+}
+
+bool MaskDrawing::planAhead(const MaskView& of, const std::vector<Light>& lights,
+                            std::span<const ShadowMasks::LookupId> ids) {
+    if (casters.upload()) return false;
+    MaskPlan planned = plan(of, lights, ids);
+    if (planned.isNew) return false;
+    const PotentialSilhouettes& lists = *renderer.volumes()->silhouettes();
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        if (!planned.view.lights[i].points.empty() || planned.parts[i].empty()) continue;
+        if (planned.movers[i]) casters.animate(*planned.movers[i]);
+        planned.view.part = planned.parts[i];
+        const std::size_t known = lists.made();
+        LitCounter::planAhead(renderer, casters.gpu(), casters.loaded(), aloneView(planned.view, i),
+                              planned.view.lights);
+        if (lists.made() != known && i + 1 < lights.size()) return false;
+    }
+    return true;
+}
+
+void MaskDrawing::draw(const MaskView& of, const std::vector<Light>& lights,
+                       std::span<const ShadowMasks::LookupId> ids) {
     hasDrawn = true;
     casters.mergeResting();
     casters.upload();
-    request.nearestDepths = false; // volumes are drawn from plane-pair records
-    FrameView view =
-        makeFrameView(casters.loaded().scene, request, casters.bounds(), casters.tree());
-    const auto looksUp = [&](std::size_t i) {
-        return !ids.empty() && ids[i] != ShadowMasks::noLookup;
-    };
-    for (std::size_t i = 0; i < lights.size(); ++i)
-        view.lights[i].animatedAlone = looksUp(i);
-    casters.fillLayers(view);
-    view.mask = view.sumsMasks = true;
+    MaskPlan planned = plan(of, lights, ids);
+    FrameView& view = planned.view;
     fit(of.width, of.height, lights.size());
     vertexRuns = 0;
     const PixelRectangle whole{0, 0, width, height};
-    std::vector<CasterScene::Movers> movers(lights.size());
-    std::vector<PixelRectangle> parts;
     PixelRectangle reach;
-    for (std::size_t i = 0; i < lights.size(); ++i) {
-        if (looksUp(i)) movers[i] = casters.moversOver(lookups.held(ids[i]));
-        parts.push_back(looksUp(i) ? shadowReach(view, movers[i].bounds, view.lights[i].light)
-                                   : whole);
-        reach = united(reach, parts.back());
-    }
+    for (const PixelRectangle& part : planned.parts)
+        reach = united(reach, part);
     region = {reach.x, reach.y, reach.width, reach.height};
     // Hosts look around each pixel for their surface.
     const auto around =
@@ -244,33 +282,31 @@ void MaskDrawing::draw(const MaskView& of, const std::vector<Light>& lights,
     if (!of.nearness) nearness.reset();
     // Masks of movers need no surfaces but their depth, which they share with nearness.
     bool shares = nearness && view.slices.size() == 1;
-    for (std::size_t i = 0; i < lights.size(); ++i)
-        shares = shares && looksUp(i);
+    for (const auto& movers : planned.movers)
+        shares = shares && movers;
     if (shares) counter.begin(width, height, around);
     shares = shares && counter.depthStencil();
     view.part = around;
     if (shares)
-        nearness->draw(renderer, casters.gpu(), view, request.frustum, counter.depthStencil());
+        nearness->draw(renderer, casters.gpu(), view, planned.asked, counter.depthStencil());
     view.depthDrawn = shares;
     for (std::size_t i = 0; i < lights.size(); ++i) {
-        if (looksUp(i)) {
+        if (planned.movers[i]) {
             clearMask(i);
-            casters.countMovers(view.lights[i], movers[i], view.visible);
+            casters.animate(*planned.movers[i]);
         }
-        view.part = parts[i];
-        if (!parts[i].empty()) drawLight(view, i);
+        view.part = planned.parts[i];
+        if (!planned.parts[i].empty()) drawLight(view, i);
     }
     view.part = around;
-    if (nearness && !shares) nearness->draw(renderer, casters.gpu(), view, request.frustum);
+    if (nearness && !shares) nearness->draw(renderer, casters.gpu(), view, planned.asked);
 }
 
 void MaskDrawing::drawLight(const FrameView& view, std::size_t light) {
     counter.begin(width, height, view.part);
     const std::size_t points = view.lights[light].points.size();
     if (points == 0) {
-        FrameView alone = view;
-        alone.lights = {view.lights[light]};
-        counter.add(renderer, casters.gpu(), casters.loaded(), alone, view.lights);
+        counter.add(renderer, casters.gpu(), casters.loaded(), aloneView(view, light), view.lights);
     } else {
         counter.addPoints(renderer, casters.gpu(), casters.loaded(), view, light, 0, points,
                           view.lights);
@@ -348,6 +384,24 @@ struct ShadowMasks::Impl {
             !light.extent && found != held.end() && found->second == drawing->casters.casterState();
         return isKnown ? drawing->lookups.isOf(id, light)
                        : compare(id, light, ShadowMasks::longRestMs).holds;
+    }
+
+    /// Throws InputError unless there is a lookup or noLookup for each light, and all hold; or
+    /// none.
+    void requireHolding(std::span<const LookupId> all, const std::vector<Light>& lights) {
+        if (!all.empty() && all.size() != lights.size())
+            throw InputError(std::to_string(all.size()) + " lookups were passed for " +
+                             std::to_string(lights.size()) + " lights.");
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            if (all[i] == noLookup) continue;
+            const auto refuse = [&](const std::string& why) {
+                throw InputError("Lookup " + std::to_string(all[i]) + " of light " +
+                                 std::to_string(i) + why);
+            };
+            if (!drawing->lookups.told(all[i]).uploaded) refuse(" isn't uploaded.");
+            if (!holds(all[i], lights[i]))
+                refuse(" no longer holds: the light or a caster in it has moved.");
+        }
     }
 
     gl::HostFunctions functions;
@@ -430,23 +484,21 @@ bool ShadowMasks::prepareToDraw(const MaskView& view, std::span<const MaskLight>
     return isReady;
 }
 
+bool ShadowMasks::planAhead(const MaskView& view, std::span<const MaskLight> lights,
+                            std::span<const LookupId> lookups) {
+    requireDrawable(view, lights.size());
+    const std::vector<Light> planned = lightsOf(lights);
+    impl_->requireHolding(lookups, planned);
+    bool isDone = false;
+    impl_->withStateKept([&] { isDone = impl_->drawing->planAhead(view, planned, lookups); });
+    return isDone;
+}
+
 void ShadowMasks::draw(const MaskView& view, std::span<const MaskLight> lights,
                        std::span<const LookupId> lookups) {
     requireDrawable(view, lights.size());
     const std::vector<Light> planned = lightsOf(lights);
-    if (!lookups.empty() && lookups.size() != lights.size())
-        throw InputError(std::to_string(lookups.size()) + " lookups were passed for " +
-                         std::to_string(lights.size()) + " lights.");
-    for (std::size_t i = 0; i < lookups.size(); ++i) {
-        if (lookups[i] == noLookup) continue;
-        const auto refuse = [&](const std::string& why) {
-            throw InputError("Lookup " + std::to_string(lookups[i]) + " of light " +
-                             std::to_string(i) + why);
-        };
-        if (!lookup(lookups[i]).uploaded) refuse(" isn't uploaded.");
-        if (!impl_->holds(lookups[i], planned[i]))
-            refuse(" no longer holds: the light or a caster in it has moved.");
-    }
+    impl_->requireHolding(lookups, planned);
     Stopwatch watch;
     MaskDrawing& drawing = *impl_->drawing;
     MaskCost cost;

@@ -79,6 +79,9 @@ struct Walk {
     Mask picture(ShadowMasks::LookupId id, const MaskLight& light, bool nearness) {
         MaskView view = viewOf(corner);
         view.nearness = nearness; // its depth is the mask's, then
+        if (nearness)
+            for (int steps = 0; !masks.planAhead(view, {&light, 1}, {&id, 1}); ++steps)
+                if (steps == 8) throw std::runtime_error("Planning ahead has no end.");
         masks.draw(view, {&light, 1}, {&id, 1});
         Mask moved = readMask(masks, 0);
         if (nearness) { // where no surface is, the mask says nothing
@@ -256,6 +259,29 @@ TEST(MoverLookups, EndOnceACasterAtRestStarts) {
     masks.remove(walk.ground);
     refuses(light);
     EXPECT_FALSE(masks.state(id, light).holds);
+}
+
+TEST(MoverLookups, BoundTheLayersOfTheMoversThatEachLeavesOut) {
+    SceneBuilder stack;
+    for (int i = 0; i < 256; ++i) // one more than a stencil counts
+        stack.floor(0.8f, 1.0f + 0.002f * static_cast<float>(i));
+    const Scene ground = yard().scene(), sheets = stack.scene();
+    const gl::HeadlessContext context({hostWidth, hostHeight});
+    const MaskLight light = hostLight(sun({0.01, 1, 0.02}));
+    std::vector<Mask> drawn;
+    for (const bool alone : {true, false}) {
+        ShadowMasks masks(eglLookUp);
+        masks.add(meshOf(geometryOf(ground)));
+        const auto id = masks.add(meshOf(geometryOf(sheets)));
+        masks.move(id, numbersOf(glm::translate(glm::dmat4(1.0), {0.2, 0, 0})));
+        const auto resting = lookedUp(masks, light, {.restMs = 1e9});
+        const auto all = lookedUp(masks, light, {.restMs = 0.0});
+        if (!alone) masks.draw(viewOf(corner), {&light, 1}, {&all, 1}); // without movers
+        masks.draw(viewOf(corner), {&light, 1}, {&resting, 1});
+        drawn.push_back(readMask(masks, 0));
+    }
+    EXPECT_GT(std::count(drawn[0].begin(), drawn[0].end(), 0), 500);
+    EXPECT_EQ(drawn[0], drawn[1]);
 }
 
 TEST(MoverLookups, RefuseInASentence) {

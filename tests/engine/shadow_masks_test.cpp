@@ -88,6 +88,36 @@ TEST(ShadowMasks, MadeAheadAreTheSame) {
     EXPECT_THROW(masks.prepareToDraw(viewOf(corner), many), std::runtime_error);
 }
 
+TEST(ShadowMasks, PlannedAheadAreTheSame) {
+    const std::vector<Light> lights = {spot(), sun({0.3, 1, 0.2})};
+    const Expected first(yardWith(left), lights[0]), second(yardWith(left), lights[1]);
+    const gl::HeadlessContext context({hostWidth, hostHeight});
+    ShadowMasks masks(eglLookUp);
+    const std::vector<MaskLight> asked = {hostLight(lights[0]), hostLight(lights[1])};
+    MaskView view = viewOf(corner);
+    const Scene ground = yard().scene(), box = boxAt(glm::dmat4(1.0));
+    const auto stepsOf = [&] {
+        std::size_t steps = 1;
+        while (!masks.planAhead(view, asked) && steps < 20)
+            ++steps;
+        return steps;
+    };
+    masks.add(meshOf(geometryOf(ground)));
+    EXPECT_EQ(stepsOf(), 4u) << "uploads, layers, and lists for each light";
+    EXPECT_EQ(stepsOf(), 1u);
+    masks.add(meshOf(geometryOf(box)), numbersOf(left));
+    EXPECT_EQ(stepsOf(), 4u);
+    masks.draw(view, asked);
+    EXPECT_EQ(readMask(masks, 0), first.mask);
+    EXPECT_EQ(readMask(masks, 1), second.mask);
+    EXPECT_EQ(stepsOf(), 1u) << "all of it is kept";
+
+    const std::vector<ShadowMasks::LookupId> one = {ShadowMasks::noLookup};
+    EXPECT_THROW(masks.planAhead(view, asked, one), std::runtime_error);
+    view.width = 0;
+    EXPECT_THROW(masks.planAhead(view, asked), std::runtime_error);
+}
+
 TEST(ShadowMasks, ProgramsOfExpectedMeshesAreMadeAhead) {
     const Light light = spot();
     const Scene block = SceneBuilder().box({-0.5f, 0.0f, -0.5f}, {0.5f, 0.5f, 0.5f}).scene();

@@ -294,6 +294,26 @@ TEST(KeptLayers, OfALightAtRestHoldWhereverTheEyeLooks) {
     EXPECT_GE(lights[0].layers.most, 200u);
 }
 
+TEST(KeptLayers, OfMoversAreKeptToo) {
+    const Scene scene = sheets(200);
+    const auto records = buildPlanePairs(scene, false);
+    const LayerCasters casters{scene, records};
+    Box below;
+    below.add(glm::dvec3(0.0, -2.0, -0.5));
+    below.add(glm::dvec3(2.0, -1.0, 0.5));
+    FrameLight light;
+    light.light = test::sun({0.01, 1, 0.02});
+    light.animatedAlone = true;
+    KeptLayers layers;
+    EXPECT_TRUE(layers.fillMovers(casters, light, below));
+    EXPECT_GE(light.layers.most, 200u);
+    light.layers = {};
+    EXPECT_FALSE(layers.fillMovers(casters, light, below));
+    EXPECT_GE(light.layers.most, 200u);
+    layers.clear();
+    EXPECT_TRUE(layers.fillMovers(casters, light, below));
+}
+
 TEST(LayerSearch, SheetsTakenForFlatCountAsTheyAre) {
     Soup soup;
     for (int layer = 0; layer < 30; ++layer) {

@@ -41,9 +41,7 @@ class Pair {
     }
 
     void expectSame(const Camera& camera, const std::vector<Light>& lights) {
-        const FrameView view = test::boundedFrame(
-            loaded_.scene, loaded_.settings.castMasked,
-            {frustumOf(camera, static_cast<double>(width) / height), width, height, lights, {}});
+        const FrameView view = viewOf(camera, lights);
         EXPECT_EQ(draw(proposed_, view), draw(all_, view));
         EXPECT_LE(proposed_.vertexRuns(), all_.vertexRuns());
         FrameView mask = view;
@@ -51,9 +49,35 @@ class Pair {
         EXPECT_EQ(draw(proposed_, mask), draw(all_, mask));
     }
 
+    /// Draws the mask of each light by itself, planned ahead or not.
+    std::vector<std::vector<std::uint8_t>>
+    drawAlone(const Camera& camera, const std::vector<Light>& lights, bool ahead = false) {
+        FrameView view = viewOf(camera, lights);
+        view.mask = true;
+        if (ahead)
+            for (std::size_t i = 0; i < lights.size(); ++i)
+                proposed_.planAhead(*scene_, aloneView(view, i));
+        madeAhead_ = made();
+        std::vector<std::vector<std::uint8_t>> masks;
+        runs_.clear();
+        for (std::size_t i = 0; i < lights.size(); ++i) {
+            masks.push_back(draw(proposed_, aloneView(view, i)));
+            runs_.push_back(proposed_.vertexRuns());
+        }
+        return masks;
+    }
+    const std::vector<std::size_t>& runs() const { return runs_; } ///< of the last drawAlone()
+    std::size_t made() const { return proposed_.volumes()->silhouettes()->made(); }
+    std::size_t madeAhead() const { return madeAhead_; } ///< of the last drawAlone()
+
     const Renderer& proposed() const { return proposed_; }
 
   private:
+    FrameView viewOf(const Camera& camera, const std::vector<Light>& lights) const {
+        return test::boundedFrame(
+            loaded_.scene, loaded_.settings.castMasked,
+            {frustumOf(camera, static_cast<double>(width) / height), width, height, lights, {}});
+    }
     static RenderSettings settingsFor(SilhouetteChoice choice, SidesLayout layout) {
         RenderSettings settings;
         settings.silhouette = choice;
@@ -68,6 +92,8 @@ class Pair {
     }
 
     LoadedScene loaded_;
+    std::size_t madeAhead_ = 0;
+    std::vector<std::size_t> runs_;
     gl::HeadlessContext context_;
     Renderer all_, proposed_;
     std::optional<GpuScene> scene_;
@@ -99,6 +125,35 @@ TEST_P(ProposedMasks, AreMadeOnceForALightAtRest) {
     for (int i = 1; i < 10; ++i)
         pair.expectSame(around(0.3 * i), {pointLight({2, 4, 1})});
     EXPECT_EQ(pair.proposed().volumes()->silhouettes()->made(), made);
+}
+
+TEST_P(ProposedMasks, AreMadeOnceForEachOfManyLightsThatAreDrawnOneByOne) {
+    Pair pair(GetParam());
+    std::vector<Light> lights;
+    for (int i = 0; i < 24; ++i)
+        lights.push_back(pointLight({2 * std::cos(0.2 * i), 4, 2 * std::sin(0.2 * i)}));
+    const auto first = pair.drawAlone(around(0), lights);
+    const std::size_t made = pair.made();
+    EXPECT_GE(made, lights.size());
+    for (int i = 1; i < 4; ++i)
+        pair.drawAlone(around(0.3 * i), lights);
+    EXPECT_EQ(pair.drawAlone(around(0), lights), first);
+    EXPECT_EQ(pair.made(), made);
+    for (const std::size_t i : {std::size_t{0}, std::size_t{7}, lights.size() - 1}) {
+        Pair only(GetParam());
+        only.drawAlone(around(0), {lights[i]});
+        EXPECT_EQ(pair.runs()[i], only.runs()[0]) << "light " << i << " has lists of its own";
+    }
+}
+
+TEST_P(ProposedMasks, ArePlannedAhead) {
+    const std::vector<Light> lights = {pointLight({2, 4, 1}), sun({0.3, 1, 0.2})};
+    Pair ahead(GetParam()), atOnce(GetParam());
+    EXPECT_EQ(ahead.drawAlone(around(0), lights, true), atOnce.drawAlone(around(0), lights));
+    EXPECT_GT(ahead.madeAhead(), 0u);
+    EXPECT_EQ(ahead.made(), ahead.madeAhead()) << "drawing makes no others";
+    EXPECT_EQ(atOnce.madeAhead(), 0u);
+    EXPECT_EQ(atOnce.made(), ahead.made());
 }
 
 TEST_P(ProposedMasks, AreThoseOfAllRecordsWhereverALightJumps) {

@@ -207,14 +207,21 @@ class PageMasks {
     /// As draw(), ahead of it. Returns 1 once all is there, 0 until then, -1 on failure.
     int prepareToDraw(int width, int height, std::uintptr_t matrices, std::uintptr_t lights,
                       std::size_t lightCount, std::size_t lightSamples, bool nearness) {
-        bool isReady = false;
-        const bool works = done([&] {
-            isReady =
-                masks().prepareToDraw({matrixAt(matrices), matrixAt(matrices + sizeof(Matrix16)),
-                                       width, height, lightSamples, nearness},
-                                      lightsAt(lights, lightCount).lights);
+        return truthOf([&] {
+            return masks().prepareToDraw({matrixAt(matrices), matrixAt(matrices + sizeof(Matrix16)),
+                                          width, height, lightSamples, nearness},
+                                         lightsAt(lights, lightCount).lights);
         });
-        return works ? static_cast<int>(isReady) : -1;
+    }
+    /// The same.
+    int planAhead(int width, int height, std::uintptr_t matrices, std::uintptr_t lights,
+                  std::size_t lightCount, std::size_t lightSamples, bool nearness) {
+        return truthOf([&] {
+            const DrawnLights drawn = lightsAt(lights, lightCount);
+            return masks().planAhead({matrixAt(matrices), matrixAt(matrices + sizeof(Matrix16)),
+                                      width, height, lightSamples, nearness},
+                                     drawn.lights, drawn.lookups);
+        });
     }
 
     void setReceivers(double lowX, double lowY, double lowZ, double highX, double highY,
@@ -363,6 +370,12 @@ class PageMasks {
         problem_ = sentenceOfFailure(action);
         return problem_.empty();
     }
+    /// 1 for true, 0 for false, -1 on failure.
+    template <class Ask>
+    int truthOf(Ask ask) {
+        bool truth = false;
+        return done([&] { truth = ask(); }) ? static_cast<int>(truth) : -1;
+    }
     template <class Make>
     int numberOf(Make make) {
         const bool made = done([&] { meshes_.emplace(nextMesh_, make()); });
@@ -404,6 +417,7 @@ EMSCRIPTEN_BINDINGS(edgeshade_masks) {
         .function("remove", &PageMasks::remove)
         .function("draw", &PageMasks::draw)
         .function("prepareToDraw", &PageMasks::prepareToDraw)
+        .function("planAhead", &PageMasks::planAhead)
         .function("isPrepared", &PageMasks::isPrepared)
         .function("setReceivers", &PageMasks::setReceivers)
         .function("beginLookupTask", &PageMasks::beginLookupTask)

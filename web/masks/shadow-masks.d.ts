@@ -332,6 +332,12 @@ export class ShadowMasks {
    */
   readonly isPrepared: boolean;
   /**
+   * Takes one step of what draw() of the same takes before it draws: uploads meshes, bounds layers, lists silhouettes.
+   * Returns whether all of it is there. For pages that add many meshes to a still picture, and can wait some frames
+   * for their shadows so that none takes long; draw() does whatever is missing. Throws as draw() does.
+   */
+  planAhead(view: MaskView, lights: MaskLight[], lookups?: (number | null)[]): boolean;
+  /**
    * The textures belong to the engine, and stay valid until the next draw(). `lookups`: for each
    * light the lookup that your shader samples as well, or null. Only the movers of such a light are
    * counted, the casters that its lookup doesn't hold. Throws if the lookup no longer holds.

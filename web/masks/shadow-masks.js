@@ -248,6 +248,13 @@ export class ShadowMasks {
       this.#inContext(() => use(width, height, matrices, all, lights.length, lightSamples, nearness)));
   }
 
+  /** Takes a step of what draw() of the same takes first: see the declaration. */
+  planAhead(view, lights, lookups = []) {
+    const isDone = this.#forDrawing(view, lights, lookups, (...numbers) => this.#masks.planAhead(...numbers));
+    this.#require(isDone >= 0);
+    return isDone > 0;
+  }
+
   draw(view, lights, lookups = []) {
     const { nearness = true } = view, needs = needsOf(view, lights);
     if (this.#allocatedFor !== needs) this.#takeHostError();

@@ -19,6 +19,9 @@ const mostInFrame = 2000, mostInFrames = 16000;
 /** New meshes of a step that are followed whatever it takes, and milliseconds of a step that follows more. */
 const fewNew = 200, stepMilliseconds = 8;
 
+/** Steps after which masks are drawn though they aren't all planned: a light that keeps moving takes new plans. */
+const mostPlanSteps = 8;
+
 /** A plane that clips everything. */
 const nothingStays = [0, 0, 0, -1];
 
@@ -112,6 +115,7 @@ export class Casters {
   #displacements;
   #failed;
   #queue;
+  #isPlanned;
   #prepared = new Map(); // by key: {number or null while pending, users, origin of its positions, isFar: whether that isn't 0}
   #meshes = new Map();   // by part: the engine's record of it
   #pending = 0;          // records in the queue
@@ -121,7 +125,7 @@ export class Casters {
   #round = 0;            // number of follow()'s calls
   #revision = 0;
   #added = false;        // whether #revision doesn't tell yet what the queue has added
-  #tellsNext = false;    // whether the next step tells it
+  #planSteps = 0;        // steps in which the engine has planned masks of them
   #atOnce = { since: 0, triangles: 0 }; // of new meshes that were prepared within frames
   #versions = [];        // of the mesh that is compared
   #problems = [];
@@ -136,15 +140,17 @@ export class Casters {
   /**
    * `touched()` is called when the context's state has changed, `failed(sentence)` when a mesh can't
    * take part. `displacements`: Displacements, or null for none; `otherwise(casts)`: what becomes of meshes that the
-   * engine can't have, a verb with its object; `isPrepared()`, `isBusy()` as in MeshQueue.
+   * engine can't have, a verb with its object; `isPrepared()`, `isBusy()` as in MeshQueue; `isPlanned()`: goes on
+   * planning masks of all that has been added, and returns whether that is done.
    */
-  constructor(masks, alphaTests, clippings, warnings, { displacements = null, touched, failed, otherwise = otherwiseUnmasked, isPrepared = () => true, isBusy = () => true }) {
+  constructor(masks, alphaTests, clippings, warnings, { displacements = null, touched, failed, otherwise = otherwiseUnmasked, isPrepared = () => true, isBusy = () => true, isPlanned = () => true }) {
     this.#masks = masks;
     this.#displacements = displacements;
     this.#otherwise = otherwise;
     this.#warnings = warnings;
     this.#touched = touched;
     this.#failed = failed;
+    this.#isPlanned = isPlanned;
     this.#queue = new MeshQueue(masks, (sentence) => this.#report(sentence), isPrepared, isBusy);
     this.#alphaTests = alphaTests;
     this.#clippings = clippings;
@@ -163,12 +169,12 @@ export class Casters {
 
   /** Whether advance() has something to do at once. */
   get hasSteps() {
-    return this.#unread.size > 0 || this.#queue.hasSteps;
+    return this.#unread.size > 0 || this.#planSteps > 0 || this.#queue.hasSteps;
   }
 
   /** Number of meshes that the engine doesn't have yet as they are, at least one while masks don't show all it has. */
   get pending() {
-    return this.#pending + this.#unread.size + Number(this.#tellsNext);
+    return this.#pending + this.#unread.size + Number(this.#planSteps > 0);
   }
 
   /**
@@ -255,17 +261,25 @@ export class Casters {
 
   /** While meshes are added step by step, masks are still those of before, unless they are drawn for another reason. */
   #takeSteps() {
-    const before = this.#revision;
-    if (this.#queue.advance()) this.#touched();
-    const adds = this.#revision !== before;
-    this.#added ||= adds;
-    this.#revision = before;
-    if (!this.#added || (this.#queue.isAdding && this.#pending > 0)) return;
-    if (adds && !this.#tellsNext) {
-      this.#tellsNext = true; // adding and drawing are each enough for a frame
+    if (this.#planSteps > 0) {
+      this.#planOn();
       return;
     }
-    this.#added = this.#tellsNext = false;
+    const before = this.#revision;
+    if (this.#queue.advance()) this.#touched();
+    this.#added ||= this.#revision !== before;
+    this.#revision = before;
+    if (this.#added && !(this.#queue.isAdding && this.#pending > 0)) this.#planSteps = 1;
+  }
+
+  /** Adding, planning and drawing are each enough for a frame. */
+  #planOn() {
+    if (this.#planSteps < mostPlanSteps) {
+      this.#planSteps = this.#isPlanned() ? mostPlanSteps : this.#planSteps + 1;
+      return;
+    }
+    this.#added = false;
+    this.#planSteps = 0;
     this.#revision += 1;
   }
 

@@ -138,7 +138,8 @@ export class ExactShadows extends EventTarget {
         this.#products = new TextureProducts(new ProductDrawing(renderer, masks, () => this.#resetRenderer()));
         this.#displacements = new Displacements(renderer, masks, () => this.#resetRenderer());
         this.#casters = new Casters(masks, new AlphaTests((texture) => uploadedIn(renderer, texture), this.#texels, this.#products), new Clippings(renderer), this.#warnings,
-          { displacements: this.#displacements, touched: () => this.#resetRenderer(), failed: (message) => this.#tell(message), isPrepared: () => this.#prepare(), isBusy: () => this.#draws.isBusy });
+          { displacements: this.#displacements, touched: () => this.#resetRenderer(), failed: (message) => this.#tell(message), isPrepared: () => this.#prepare(), isBusy: () => this.#draws.isBusy,
+            isPlanned: () => this.#plan() });
         this.#views = new MaskViews(renderer, masks, this.#casters, (view, viewport) => this.#show(view, viewport));
         this.#resting = new RestingLights(masks, this.#mostLookedUp, () => this.#resetRenderer());
         this.#cutouts = new CutoutMaps(masks, () => this.#resetRenderer());
@@ -362,6 +363,22 @@ export class ExactShadows extends EventTarget {
     if (!this.#isUnprepared) return true;
     const view = { ...engineViewOf(this.#last.camera), width, height, lightSamples: this.lightSamples };
     const isDone = this.#preparation.advance(view, this.#lights.map(({ numbers }) => numbers));
+    this.#resetRenderer();
+    return isDone;
+  }
+
+  /** Goes on planning the next masks of the last frame's view. Returns whether there is nothing left to plan. */
+  #plan() {
+    const { z: width, w: height } = this.#viewportOf(this.#renderer.getRenderTarget());
+    if (!this.#last?.camera.isCamera || this.#lights.length === 0 || width < 1 || height < 1) return true;
+    if (!this.#prepare() && !this.#preparation.canDraw) return true;
+    const lookups = this.#lights.map((_, i) => (this.#maps[i]?.alone ? null : this.#maps[i]?.id ?? null));
+    let isDone = true;
+    try {
+      isDone = this.#masks.planAhead({ ...engineViewOf(this.#last.camera), width, height, lightSamples: this.lightSamples }, this.#lights.map(({ numbers }) => numbers), lookups);
+    } catch {
+      // draw() reports it
+    }
     this.#resetRenderer();
     return isDone;
   }

@@ -8,6 +8,19 @@
 #include <GLES2/gl2.h>
 
 namespace edgeshade {
+namespace {
+
+/// Uploads the groups of casters that the view's lights need, and keeps those of others.
+void uploadGroups(const Renderer& renderer, GpuScene& scene, const LoadedScene& loaded,
+                  const FrameView& view, std::span<const FrameLight> others) {
+    const auto records = renderer.settings().records();
+    if (!records) return;
+    std::vector<FrameLight> lights = view.lights;
+    lights.insert(lights.end(), others.begin(), others.end());
+    scene.groups.upload(loaded, lights, *records);
+}
+
+} // namespace
 
 std::size_t LitCounter::lightsAtOnce(const GpuScene& scene) {
     constexpr std::size_t mostPlans = 16384; // for one batch and one light
@@ -35,11 +48,7 @@ void LitCounter::add(Renderer& renderer, GpuScene& scene, const LoadedScene& loa
     if (lights_ + added > PictureSum::most)
         throw Error(ExitStatus::usage,
                     "At most " + std::to_string(PictureSum::most) + " masks can be added up.");
-    if (const auto records = renderer.settings().records()) {
-        std::vector<FrameLight> lights = view.lights;
-        lights.insert(lights.end(), others.begin(), others.end());
-        scene.groups.upload(loaded, lights, *records);
-    }
+    uploadGroups(renderer, scene, loaded, view, others);
     const gl::FramebufferKeeper keeper;
     if (depthStencil_) glBindFramebuffer(GL_FRAMEBUFFER, masks_.framebuffer.name());
     glDisable(GL_DITHER); // the bytes are counts
@@ -52,6 +61,13 @@ void LitCounter::add(Renderer& renderer, GpuScene& scene, const LoadedScene& loa
     sum_.add(masks_.texture.name());
     lights_ += static_cast<std::uint32_t>(added);
     ++pictures_;
+}
+
+void LitCounter::planAhead(Renderer& renderer, GpuScene& scene, const LoadedScene& loaded,
+                           const FrameView& view, std::span<const FrameLight> others) {
+    uploadGroups(renderer, scene, loaded, view, others);
+    const gl::FramebufferKeeper keeper;
+    renderer.planAhead(scene, view);
 }
 
 void LitCounter::addPoints(Renderer& renderer, GpuScene& scene, const LoadedScene& loaded,

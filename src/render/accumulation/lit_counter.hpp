@@ -44,6 +44,10 @@ class LitCounter {
     void add(Renderer& renderer, GpuScene& scene, const LoadedScene& loaded, const FrameView& view,
              std::span<const FrameLight> others = {}, StageClock* clock = nullptr);
 
+    /// Makes what add() of the same takes before it draws, see Renderer::planAhead().
+    static void planAhead(Renderer& renderer, GpuScene& scene, const LoadedScene& loaded,
+                          const FrameView& view, std::span<const FrameLight> others);
+
     /// Adds some points of one of the view's lights: by a primitive map of the whole light if it
     /// has one, otherwise mask by mask.
     void addPoints(Renderer& renderer, GpuScene& scene, const LoadedScene& loaded,

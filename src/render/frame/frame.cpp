@@ -40,20 +40,32 @@ void Renderer::draw(GpuScene& scene, const FrameView& view, StageClock* clock,
                     std::span<const VisibilityLookup> visibility) {
     vertexRuns_ = 0;
     const gl::ScissorScope cut(view.part);
+    const gl::Name framebuffer = gl::boundFramebuffer();
+    beginFrame(scene, view, clock, visibility);
+    prepareSum(scene, view);
+    planFrame(scene, view, clock);
+    drawSlices(scene, view, clock);
+    if (sum_.linear) linear_->show(framebuffer);
+}
+
+void Renderer::planAhead(GpuScene& scene, const FrameView& view) {
+    const gl::ScissorScope cut(view.part);
+    beginFrame(scene, view, nullptr, {});
+    planFrame(scene, view, nullptr);
+}
+
+void Renderer::beginFrame(GpuScene& scene, const FrameView& view, StageClock* clock,
+                          std::span<const VisibilityLookup> visibility) {
     visibility_.assign(visibility.begin(), visibility.end());
     if (coarse_) {
         const gl::FramebufferKeeper keeper;
         coarse_->fit(view.width, view.height);
     }
-    const gl::Name framebuffer = gl::boundFramebuffer();
     const FrameStart start{scene, view, clock,
                            [&](const FrameView& of) { drawNearness(scene, of); }};
     techniques_.forEach([&](ShadowTechnique& technique) { technique.beginFrame(start); });
     chooseTechniques(scene, view);
     sum_ = lightSum(scene, view);
-    prepareSum(scene, view);
-    drawSlices(scene, view, clock);
-    if (sum_.linear) linear_->show(framebuffer);
 }
 
 void Renderer::beginMaskPrograms(std::span<const Light> lights, bool orthographic, bool nearness,
@@ -76,7 +88,6 @@ void Renderer::forEachProgram(const gl::ProgramVisitor& visit) const {
 }
 
 void Renderer::drawSlices(GpuScene& scene, const FrameView& view, StageClock* clock) {
-    planFrame(scene, view, clock);
     glViewport(0, 0, view.width, view.height);
     glDisable(GL_CULL_FACE);
     bool marked = false;

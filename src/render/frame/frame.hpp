@@ -68,6 +68,10 @@ class Renderer {
     void draw(GpuScene& scene, const FrameView& view, StageClock* clock = nullptr,
               std::span<const VisibilityLookup> visibility = {});
 
+    /// Makes the plan, records and programs that draw() of the same takes, ahead of it. Draws
+    /// nothing into the current framebuffer.
+    void planAhead(GpuScene& scene, const FrameView& view);
+
     /// Draws the nearness of visible geometry (shaders_es2/nearness.glsl) into the current
     /// framebuffer, which needs depth; 0 where there is none. In perspective, it uses the nearest
     /// slice's near plane.
@@ -147,9 +151,13 @@ class Renderer {
         bool darkens() const { return !full || plainIsShort; }
     };
 
+    /// Begins what drawing and planning ahead share.
+    void beginFrame(GpuScene& scene, const FrameView& view, StageClock* clock,
+                    std::span<const VisibilityLookup> visibility);
     LightSum lightSum(const GpuScene& scene, const FrameView& view) const;
     /// Creates what the sum needs, and binds its target.
     void prepareSum(const GpuScene& scene, const FrameView& view);
+    /// Draws the frame that was planned.
     void drawSlices(GpuScene& scene, const FrameView& view, StageClock* clock);
     /// Plans the frame into plan_, and uploads the records that it draws.
     void planFrame(GpuScene& scene, const FrameView& view, StageClock* clock);

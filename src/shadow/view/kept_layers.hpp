@@ -18,6 +18,8 @@ class KeptLayers {
     /// false if all were known. `visible`: FrameView::visible. A light that has moved gets a bound
     /// for it alone, and a bound for everything once it rests and the eye moves.
     bool fill(const LayerCasters& casters, std::vector<FrameLight>& lights, const Box& visible);
+    /// The same for a light whose other casters a host looks up: `casters` are those that count.
+    bool fillMovers(const LayerCasters& casters, FrameLight& light, const Box& visible);
 
     void clear() { kept_.clear(); }
 
@@ -32,6 +34,9 @@ class KeptLayers {
 
         bool holdsFor(const Box& visible) const;
     };
+
+    /// Whether a light's bound was known. Puts it into next_.
+    bool fillOne(const LayerCasters& casters, FrameLight& light, const Box& visible);
 
     std::vector<Kept> kept_, next_; ///< fill() makes `next_`, in the memory of the call before
     LayerSearch search_;
