@@ -248,15 +248,13 @@ bool MaskDrawing::planAhead(const MaskView& of, const std::vector<Light>& lights
     if (casters.upload()) return false;
     MaskPlan planned = plan(of, lights, ids);
     if (planned.isNew) return false;
-    const PotentialSilhouettes& lists = *renderer.volumes()->silhouettes();
     for (std::size_t i = 0; i < lights.size(); ++i) {
         if (!planned.view.lights[i].points.empty() || planned.parts[i].empty()) continue;
         if (planned.movers[i]) casters.animate(*planned.movers[i]);
         planned.view.part = planned.parts[i];
-        const std::size_t known = lists.made();
-        LitCounter::planAhead(renderer, casters.gpu(), casters.loaded(), aloneView(planned.view, i),
-                              planned.view.lights);
-        if (lists.made() != known && i + 1 < lights.size()) return false;
+        if (!LitCounter::planAhead(renderer, casters.gpu(), casters.loaded(),
+                                   aloneView(planned.view, i), planned.view.lights))
+            return false;
     }
     return true;
 }

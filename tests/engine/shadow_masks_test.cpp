@@ -103,10 +103,10 @@ TEST(ShadowMasks, PlannedAheadAreTheSame) {
         return steps;
     };
     masks.add(meshOf(geometryOf(ground)));
-    EXPECT_EQ(stepsOf(), 4u) << "uploads, layers, and lists for each light";
+    EXPECT_EQ(stepsOf(), 5u) << "uploads, layers, lists for each light, and their upload";
     EXPECT_EQ(stepsOf(), 1u);
     masks.add(meshOf(geometryOf(box)), numbersOf(left));
-    EXPECT_EQ(stepsOf(), 4u);
+    EXPECT_EQ(stepsOf(), 5u);
     masks.draw(view, asked);
     EXPECT_EQ(readMask(masks, 0), first.mask);
     EXPECT_EQ(readMask(masks, 1), second.mask);

@@ -646,7 +646,7 @@ MUTANTS = (
      "listed_masks_test", "*ProposedMasks.AreMadeOnceForEach*"),
     ("planning ahead lists no silhouettes",
      "src/render/accumulation/lit_counter.cpp",
-     "renderer.planAhead(scene, view);", "",
+     "return renderer.planAhead(scene, view);", "return true;",
      "shadow_masks_test", "ShadowMasks.PlannedAhead*"),
     ("casters between a lamp and what is visible are left out of its layers",
      "src/shadow/geometry/planes_between.cpp",

@@ -54,9 +54,10 @@ class Pair {
     drawAlone(const Camera& camera, const std::vector<Light>& lights, bool ahead = false) {
         FrameView view = viewOf(camera, lights);
         view.mask = true;
-        if (ahead)
-            for (std::size_t i = 0; i < lights.size(); ++i)
-                proposed_.planAhead(*scene_, aloneView(view, i));
+        for (std::size_t i = 0; ahead && i < lights.size(); ++i) {
+            EXPECT_FALSE(proposed_.planAhead(*scene_, aloneView(view, i))) << "it makes lists";
+            EXPECT_TRUE(proposed_.planAhead(*scene_, aloneView(view, i))) << "it uploads them";
+        }
         madeAhead_ = made();
         std::vector<std::vector<std::uint8_t>> masks;
         runs_.clear();

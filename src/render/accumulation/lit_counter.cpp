@@ -63,11 +63,11 @@ void LitCounter::add(Renderer& renderer, GpuScene& scene, const LoadedScene& loa
     ++pictures_;
 }
 
-void LitCounter::planAhead(Renderer& renderer, GpuScene& scene, const LoadedScene& loaded,
+bool LitCounter::planAhead(Renderer& renderer, GpuScene& scene, const LoadedScene& loaded,
                            const FrameView& view, std::span<const FrameLight> others) {
     uploadGroups(renderer, scene, loaded, view, others);
     const gl::FramebufferKeeper keeper;
-    renderer.planAhead(scene, view);
+    return renderer.planAhead(scene, view);
 }
 
 void LitCounter::addPoints(Renderer& renderer, GpuScene& scene, const LoadedScene& loaded,

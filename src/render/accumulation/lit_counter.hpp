@@ -45,7 +45,7 @@ class LitCounter {
              std::span<const FrameLight> others = {}, StageClock* clock = nullptr);
 
     /// Makes what add() of the same takes before it draws, see Renderer::planAhead().
-    static void planAhead(Renderer& renderer, GpuScene& scene, const LoadedScene& loaded,
+    static bool planAhead(Renderer& renderer, GpuScene& scene, const LoadedScene& loaded,
                           const FrameView& view, std::span<const FrameLight> others);
 
     /// Adds some points of one of the view's lights: by a primitive map of the whole light if it

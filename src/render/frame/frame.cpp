@@ -43,15 +43,23 @@ void Renderer::draw(GpuScene& scene, const FrameView& view, StageClock* clock,
     const gl::Name framebuffer = gl::boundFramebuffer();
     beginFrame(scene, view, clock, visibility);
     prepareSum(scene, view);
-    planFrame(scene, view, clock);
+    withTask(scene, view, [&](const FrameTask& task) { planFrame(task, scene, view, clock); });
     drawSlices(scene, view, clock);
     if (sum_.linear) linear_->show(framebuffer);
 }
 
-void Renderer::planAhead(GpuScene& scene, const FrameView& view) {
+bool Renderer::planAhead(GpuScene& scene, const FrameView& view) {
     const gl::ScissorScope cut(view.part);
+    const auto listed = [&] {
+        const PotentialSilhouettes* lists = volumes() ? volumes()->silhouettes() : nullptr;
+        return lists ? lists->made() : 0;
+    };
+    const std::size_t known = listed();
     beginFrame(scene, view, nullptr, {});
-    planFrame(scene, view, nullptr);
+    withTask(scene, view, [&](const FrameTask& task) { edgeshade::planFrame(task, plan_); });
+    if (listed() != known) return false;
+    prepare(plan_, scene, view);
+    return true;
 }
 
 void Renderer::beginFrame(GpuScene& scene, const FrameView& view, StageClock* clock,
@@ -116,7 +124,8 @@ void Renderer::drawSlices(GpuScene& scene, const FrameView& view, StageClock* cl
     if (marked) restoreAlpha(scene, view);
 }
 
-void Renderer::planFrame(GpuScene& scene, const FrameView& view, StageClock* clock) {
+template <class Use>
+void Renderer::withTask(GpuScene& scene, const FrameView& view, Use use) {
     const auto groupCount = [&](std::size_t light) {
         const ShadowTechnique* marking = markingOf(light);
         return marking ? marking->stencils(scene, view.lights[light]) : 0;
@@ -140,7 +149,7 @@ void Renderer::planFrame(GpuScene& scene, const FrameView& view, StageClock* clo
             task.mayBeListed = mayList;
             task.list = listLights;
         }
-    planFrame(task, scene, view, clock);
+    use(task);
 }
 
 void Renderer::planFrame(const FrameTask& task, GpuScene& scene, const FrameView& view,

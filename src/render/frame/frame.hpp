@@ -68,9 +68,10 @@ class Renderer {
     void draw(GpuScene& scene, const FrameView& view, StageClock* clock = nullptr,
               std::span<const VisibilityLookup> visibility = {});
 
-    /// Makes the plan, records and programs that draw() of the same takes, ahead of it. Draws
-    /// nothing into the current framebuffer.
-    void planAhead(GpuScene& scene, const FrameView& view);
+    /// Makes what draw() of the same takes, ahead of it: lists of silhouettes, and once these are
+    /// there records and programs. Returns whether all is there. Draws nothing into the current
+    /// framebuffer.
+    bool planAhead(GpuScene& scene, const FrameView& view);
 
     /// Draws the nearness of visible geometry (shaders_es2/nearness.glsl) into the current
     /// framebuffer, which needs depth; 0 where there is none. In perspective, it uses the nearest
@@ -159,8 +160,10 @@ class Renderer {
     void prepareSum(const GpuScene& scene, const FrameView& view);
     /// Draws the frame that was planned.
     void drawSlices(GpuScene& scene, const FrameView& view, StageClock* clock);
+    /// Calls use(task), with what planning a frame takes.
+    template <class Use>
+    void withTask(GpuScene& scene, const FrameView& view, Use use);
     /// Plans the frame into plan_, and uploads the records that it draws.
-    void planFrame(GpuScene& scene, const FrameView& view, StageClock* clock);
     void planFrame(const FrameTask& task, GpuScene& scene, const FrameView& view,
                    StageClock* clock);
     CasterGroupInSlice castersOf(const FrameView& view, const DepthSlice& slice, std::size_t light,
