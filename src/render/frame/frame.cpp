@@ -124,8 +124,8 @@ void Renderer::drawSlices(GpuScene& scene, const FrameView& view, StageClock* cl
     if (marked) restoreAlpha(scene, view);
 }
 
-template <class Use>
-void Renderer::withTask(GpuScene& scene, const FrameView& view, Use use) {
+void Renderer::withTask(GpuScene& scene, const FrameView& view,
+                        FunctionRef<void(const FrameTask&)> use) {
     const auto groupCount = [&](std::size_t light) {
         const ShadowTechnique* marking = markingOf(light);
         return marking ? marking->stencils(scene, view.lights[light]) : 0;

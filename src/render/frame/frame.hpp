@@ -161,8 +161,7 @@ class Renderer {
     /// Draws the frame that was planned.
     void drawSlices(GpuScene& scene, const FrameView& view, StageClock* clock);
     /// Calls use(task), with what planning a frame takes.
-    template <class Use>
-    void withTask(GpuScene& scene, const FrameView& view, Use use);
+    void withTask(GpuScene& scene, const FrameView& view, FunctionRef<void(const FrameTask&)> use);
     /// Plans the frame into plan_, and uploads the records that it draws.
     void planFrame(const FrameTask& task, GpuScene& scene, const FrameView& view,
                    StageClock* clock);
