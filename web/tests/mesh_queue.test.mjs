@@ -2,6 +2,8 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { Mesh, MeshBasicMaterial, SphereGeometry } from 'three';
+import { Casters } from '../three/casters.js';
 import { MeshQueue } from '../three/mesh-queue.js';
 
 /** A queue with an engine that prepares batches when the test says so. `ofTaken(bytes)`: called as the engine takes a mesh over. */
@@ -78,4 +80,32 @@ test('a queue tells whether it has something to do at once', async () => {
   queue.advance();
   queue.advance();
   assert.deepEqual([queue.hasSteps, engine.added], [false, [1]]);
+});
+
+test('a frame takes no steps that have been taken since the frame before', async (context) => {
+  let now = 0;
+  context.mock.method(performance, 'now', () => now);
+  const sent = [];
+  const masks = { prepareTogether: ([{ indices }]) => {
+    now += 20; // a step of its own
+    sent.push(indices.length);
+    return new Promise(() => {});
+  } };
+  const told = { touched() {}, failed: assert.fail };
+  const casters = new Casters(masks, {}, { parts: () => 0, of: () => [] }, { warn: assert.fail }, told);
+  const meshes = [1, 2, 3, 4].map((i) => {
+    const mesh = new Mesh(new SphereGeometry(1, 40, 40 + i), new MeshBasicMaterial());
+    mesh.castShadow = true;
+    return mesh;
+  });
+  const frame = () => {
+    casters.follow(meshes, 'exact', 'none');
+    return sent.length;
+  };
+  assert.equal(frame(), 0, 'they are found');
+  assert.equal(frame(), 1, 'no step came between');
+  casters.advance();
+  assert.equal(sent.length, 2);
+  assert.equal(frame(), 2, 'a step came between');
+  assert.equal(frame(), 3);
 });

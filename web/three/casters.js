@@ -125,6 +125,7 @@ export class Casters {
   #round = 0;            // number of follow()'s calls
   #revision = 0;
   #added = false;        // whether #revision doesn't tell yet what the queue has added
+  #hasAdvanced = false;  // since the last follow()
   #planSteps = 0;        // steps in which the engine has planned masks of them
   #atOnce = { since: 0, triangles: 0 }; // of new meshes that were prepared within frames
   #versions = [];        // of the mesh that is compared
@@ -255,6 +256,7 @@ export class Casters {
 
   /** Works for some milliseconds on pending meshes. */
   advance() {
+    this.#hasAdvanced = true;
     if (this.#unread.size) this.#readOn();
     else this.#takeSteps();
   }
@@ -296,7 +298,8 @@ export class Casters {
     requireTransparentCast(transparentCast);
     this.#alphaTested = alphaTestedCasting(alphaTestedCast);
     this.#transparentCast = transparentCast;
-    if (!this.#unread.size) this.advance();
+    if (!this.#unread.size && !this.#hasAdvanced) this.advance(); // else frames stay short
+    this.#hasAdvanced = false;
     this.#round += 1;
     this.#cutsOut = this.#tints = this.#lacked = false;
     const step = stepOf();
