@@ -263,22 +263,25 @@ export class Casters {
 
   /** While meshes are added step by step, masks are still those of before, unless they are drawn for another reason. */
   #takeSteps() {
+    const until = performance.now() + stepMilliseconds;
     if (this.#planSteps > 0) {
-      this.#planOn();
+      this.#planOn(until);
       return;
     }
     const before = this.#revision;
     if (this.#queue.advance()) this.#touched();
     this.#added ||= this.#revision !== before;
     this.#revision = before;
-    if (this.#added && !(this.#queue.isAdding && this.#pending > 0)) this.#planSteps = 1;
+    if (!this.#added || (this.#queue.isAdding && this.#pending > 0)) return;
+    this.#planSteps = 1;
+    if (performance.now() < until) this.#planOn(until);
   }
 
-  /** Adding, planning and drawing are each enough for a frame. */
-  #planOn() {
-    if (this.#planSteps < mostPlanSteps) {
+  /** Plans masks of what was added, and tells of it; if adding and planning take long, each has a frame of its own. */
+  #planOn(until) {
+    while (this.#planSteps < mostPlanSteps) {
       this.#planSteps = this.#isPlanned() ? mostPlanSteps : this.#planSteps + 1;
-      return;
+      if (performance.now() >= until) return;
     }
     this.#added = false;
     this.#planSteps = 0;
