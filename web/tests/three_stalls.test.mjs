@@ -231,7 +231,7 @@ test('masks of a still view are drawn a few times while many meshes are added st
   assert.equal(told.moved, 1, 'what moves meanwhile is drawn in that very frame');
   assert.ok(!told.lacks, 'the last masks have them all');
   assert.ok(told.plans >= 2, `masks are planned in ${told.plans} steps`);
-  assert.equal(told.both, 0, 'no frame adds meshes, or plans masks of them, and draws these');
+  assert.equal(told.both, 0, 'no frame that adds meshes or plans their masks for 8 ms draws these');
   await shared.check(page);
 });
 
