@@ -267,7 +267,8 @@ class ShadowMasks {
     /// Takes one step of what draw() of the same takes before it draws: uploads meshes, bounds
     /// layers, lists silhouettes. Returns whether all of it is there. For hosts that add many
     /// meshes to a still picture, and can wait some frames for their shadows so that none takes
-    /// long; draw() does whatever is missing. Throws as draw() does.
+    /// long; draw() does whatever is missing, and lists the silhouettes of lights with a radius.
+    /// Throws as draw() does.
     bool planAhead(const MaskView& view, std::span<const MaskLight> lights,
                    std::span<const LookupId> lookups = {});
 

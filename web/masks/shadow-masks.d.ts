@@ -334,7 +334,8 @@ export class ShadowMasks {
   /**
    * Takes one step of what draw() of the same takes before it draws: uploads meshes, bounds layers, lists silhouettes.
    * Returns whether all of it is there. For pages that add many meshes to a still picture, and can wait some frames
-   * for their shadows so that none takes long; draw() does whatever is missing. Throws as draw() does.
+   * for their shadows so that none takes long; draw() does whatever is missing, and lists the silhouettes of lights with
+   * a radius. Throws as draw() does.
    */
   planAhead(view: MaskView, lights: MaskLight[], lookups?: (number | null)[]): boolean;
   /**
