@@ -441,19 +441,15 @@ CasterScene::Movers CasterScene::moversOver(std::span<const HeldCaster> held) co
         movers.counted[of.batch] = 0;
     for (std::size_t i = 0; i < slots_.size(); ++i)
         if (movers.counted[i]) movers.bounds.add(worldBox(i));
+    for (std::size_t i = 0; i < slots_.size(); ++i)
+        for (const std::size_t member : slots_[i].members)
+            if (movers.counted[member]) movers.counted[i] = 1;
     return movers;
-}
-
-bool CasterScene::draws(std::size_t batch, const Movers& movers) const {
-    const auto& members = slots_[batch].members;
-    return movers.counted[batch] ||
-           std::any_of(members.begin(), members.end(),
-                       [&](std::size_t member) { return movers.counted[member]; });
 }
 
 void CasterScene::animate(const Movers& movers) {
     for (std::size_t i = 0; i < slots_.size(); ++i)
-        gpu_->batches[i].animated = draws(i, movers);
+        gpu_->batches[i].animated = movers.counted[i];
 }
 
 bool CasterScene::fillLayers(FrameView& view) {
@@ -470,7 +466,7 @@ bool CasterScene::fillLayers(FrameView& view, std::size_t light, const Movers& m
     }
     std::vector<std::shared_ptr<const PlanePairShadow>> records(slots_.size());
     for (std::size_t i = 0; i < slots_.size(); ++i)
-        if (draws(i, movers)) records[i] = loaded_.planePairs[i];
+        if (movers.counted[i]) records[i] = loaded_.planePairs[i];
     const LayerCasters casters{loaded_.scene, records, loaded_.settings.castMasked};
     return kept.layers.fillMovers(casters, view.lights[light], view.visible);
 }

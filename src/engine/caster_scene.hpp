@@ -72,7 +72,7 @@ class CasterScene {
 
     /// Casters that a light's map doesn't hold.
     struct Movers {
-        std::vector<char> counted; ///< by batch, whether it is one
+        std::vector<char> counted; ///< by batch, whether it is one, or has one among its members
         Box bounds;                ///< in the world
     };
     /// All that are held must be casters.
@@ -164,8 +164,6 @@ class CasterScene {
     /// while, which the next maps don't hold.
     void casterChanged(std::size_t batch, bool moves = true);
     const Box& worldBox(std::size_t batch) const;
-    /// Whether a batch draws a mover.
-    bool draws(std::size_t batch, const Movers& movers) const;
     bool isCaster(std::size_t batch) const {
         return slots_[batch].use == Slot::Use::mesh && slots_[batch].casts();
     }

@@ -199,17 +199,15 @@ class PageMasks {
               std::size_t lightCount, std::size_t lightSamples, bool nearness) {
         return done([&] {
             const DrawnLights drawn = lightsAt(lights, lightCount);
-            masks().draw({matrixAt(matrices), matrixAt(matrices + sizeof(Matrix16)), width, height,
-                          lightSamples, nearness},
-                         drawn.lights, drawn.lookups);
+            masks().draw(viewAt(matrices, width, height, lightSamples, nearness), drawn.lights,
+                         drawn.lookups);
         });
     }
     /// As draw(), ahead of it. Returns 1 once all is there, 0 until then, -1 on failure.
     int prepareToDraw(int width, int height, std::uintptr_t matrices, std::uintptr_t lights,
                       std::size_t lightCount, std::size_t lightSamples, bool nearness) {
         return truthOf([&] {
-            return masks().prepareToDraw({matrixAt(matrices), matrixAt(matrices + sizeof(Matrix16)),
-                                          width, height, lightSamples, nearness},
+            return masks().prepareToDraw(viewAt(matrices, width, height, lightSamples, nearness),
                                          lightsAt(lights, lightCount).lights);
         });
     }
@@ -218,8 +216,7 @@ class PageMasks {
                   std::size_t lightCount, std::size_t lightSamples, bool nearness) {
         return truthOf([&] {
             const DrawnLights drawn = lightsAt(lights, lightCount);
-            return masks().planAhead({matrixAt(matrices), matrixAt(matrices + sizeof(Matrix16)),
-                                      width, height, lightSamples, nearness},
+            return masks().planAhead(viewAt(matrices, width, height, lightSamples, nearness),
                                      drawn.lights, drawn.lookups);
         });
     }
@@ -344,6 +341,16 @@ class PageMasks {
 
     static ShadowMasks::Id idOf(int id) { return static_cast<ShadowMasks::Id>(id); }
 
+    /// `matrices`: viewFromWorld and clipFromView.
+    static MaskView viewAt(std::uintptr_t matrices, int width, int height, std::size_t lightSamples,
+                           bool nearness) {
+        return {matrixAt(matrices),
+                matrixAt(matrices + sizeof(Matrix16)),
+                width,
+                height,
+                lightSamples,
+                nearness};
+    }
     static DrawnLights lightsAt(std::uintptr_t address, std::size_t count) {
         DrawnLights all;
         for (std::size_t i = 0; i < count; ++i) {

@@ -353,29 +353,37 @@ export class ExactShadows extends EventTarget {
 
   /** Whether the engine's first masks would wait for its programs. */
   get #isUnprepared() {
-    if (!this.#preparation || this.#preparation.isDone || this.#lights.length === 0 || !this.#last?.camera.isCamera) return false;
+    return Boolean(this.#preparation && !this.#preparation.isDone && this.#hasView);
+  }
+
+  /** Whether the last frame has lights, and a view of which masks can be drawn. */
+  get #hasView() {
+    if (this.#lights.length === 0 || !this.#last?.camera.isCamera) return false;
     const { z, w } = this.#viewportOf(this.#renderer.getRenderTarget());
     return z >= 1 && w >= 1;
   }
 
+  /** The engine's view of the last frame's camera, in a viewport, and its lights. */
+  #engineView({ z: width, w: height }) {
+    return [{ ...engineViewOf(this.#last.camera), width, height, lightSamples: this.lightSamples }, this.#lights.map(({ numbers }) => numbers)];
+  }
+
   /** Goes on making what the first masks take. Returns whether it is there. */
-  #prepare({ z: width, w: height } = this.#viewportOf(this.#renderer.getRenderTarget())) {
+  #prepare(viewport = this.#viewportOf(this.#renderer.getRenderTarget())) {
     if (!this.#isUnprepared) return true;
-    const view = { ...engineViewOf(this.#last.camera), width, height, lightSamples: this.lightSamples };
-    const isDone = this.#preparation.advance(view, this.#lights.map(({ numbers }) => numbers));
+    const isDone = this.#preparation.advance(...this.#engineView(viewport));
     this.#resetRenderer();
     return isDone;
   }
 
   /** Goes on planning the next masks of the last frame's view. Returns whether there is nothing left to plan. */
   #plan() {
-    const { z: width, w: height } = this.#viewportOf(this.#renderer.getRenderTarget());
-    if (!this.#last?.camera.isCamera || this.#lights.length === 0 || width < 1 || height < 1) return true;
+    if (!this.#hasView) return true;
     if (!this.#prepare() && !this.#preparation.canDraw) return true;
     const lookups = this.#lights.map((_, i) => (this.#maps[i]?.alone ? null : this.#maps[i]?.id ?? null));
     let isDone = true;
     try {
-      isDone = this.#masks.planAhead({ ...engineViewOf(this.#last.camera), width, height, lightSamples: this.lightSamples }, this.#lights.map(({ numbers }) => numbers), lookups);
+      isDone = this.#masks.planAhead(...this.#engineView(this.#viewportOf(this.#renderer.getRenderTarget())), lookups);
     } catch {
       // draw() reports it
     }
