@@ -22,10 +22,27 @@ namespace edgeshade::web {
 template <class A, class T>
 concept Maybe = std::same_as<std::remove_const_t<A>, T>;
 
-/// Appends plain values and vectors of them.
-class Writer {
+/// Bytes from which on an array may lie apart from the others.
+constexpr std::size_t leastApart = 1 << 16;
+
+/// A vector of plain values that lies apart: it is empty until its bytes are to be filled.
+struct VectorApart {
+    void* vector = nullptr;
+    std::size_t count = 0;
+    std::span<std::uint8_t> (*sized)(void* vector, std::size_t count) = nullptr;
+
+    /// Gives the vector its size. Returns the memory of its values.
+    std::span<std::uint8_t> bytes() const { return sized(vector, count); }
+};
+
+/// Appends plain values and vectors of them. `split`: large arrays lie apart.
+template <bool split>
+class BasicWriter {
   public:
-    explicit Writer(Bytes& bytes) : bytes_(bytes) {}
+    explicit BasicWriter(Bytes& bytes) requires(!split) : bytes_(bytes) {}
+    /// `apart` gets large arrays, in their order, in place of `bytes`.
+    BasicWriter(Bytes& bytes, std::vector<std::span<const std::uint8_t>>& apart) requires(split)
+        : bytes_(bytes), apart_(&apart) {}
 
     template <class... T>
     void operator()(const T&... values) {
@@ -43,11 +60,16 @@ class Writer {
     template <class T>
     void put(const std::vector<T>& values) {
         put(values.size());
-        if constexpr (std::is_trivially_copyable_v<T>)
-            append(values.data(), values.size() * sizeof(T));
-        else
+        if constexpr (std::is_trivially_copyable_v<T>) {
+            const std::size_t size = values.size() * sizeof(T);
+            if (split && size >= leastApart)
+                apart_->emplace_back(reinterpret_cast<const std::uint8_t*>(values.data()), size);
+            else
+                append(values.data(), size);
+        } else {
             for (const T& value : values)
                 put(value);
+        }
     }
     void put(const std::string& text) {
         put(text.size());
@@ -70,12 +92,21 @@ class Writer {
     }
 
     Bytes& bytes_;
+    std::vector<std::span<const std::uint8_t>>* apart_ = nullptr;
 };
 
+using Writer = BasicWriter<false>;
+using SplitWriter = BasicWriter<true>;
+
 /// Reads them back.
-class Reader {
+template <bool split>
+class BasicReader {
   public:
-    explicit Reader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+    explicit BasicReader(std::span<const std::uint8_t> bytes) requires(!split) : bytes_(bytes) {}
+    /// `apart` gets the vectors that lie apart, still empty; they must stay where they are.
+    BasicReader(std::span<const std::uint8_t> bytes,
+                std::vector<VectorApart>& apart) requires(split)
+        : bytes_(bytes), apart_(&apart) {}
 
     template <class... T>
     void operator()(T&... values) {
@@ -94,12 +125,26 @@ class Reader {
     void take(std::vector<T>& values) {
         std::size_t count = 0;
         take(count);
-        values.resize(count);
-        if constexpr (std::is_trivially_copyable_v<T>)
-            cut(values.data(), count * sizeof(T));
-        else
+        if constexpr (std::is_trivially_copyable_v<T>) {
+            const std::size_t size = count * sizeof(T);
+            if constexpr (split)
+                if (size >= leastApart) {
+                    apart_->push_back({&values, count, sized<T>});
+                    return;
+                }
+            values.resize(count);
+            cut(values.data(), size);
+        } else {
+            values.resize(count);
             for (T& value : values)
                 take(value);
+        }
+    }
+    template <class T>
+    static std::span<std::uint8_t> sized(void* vector, std::size_t count) {
+        auto& values = *static_cast<std::vector<T>*>(vector);
+        values.resize(count);
+        return {reinterpret_cast<std::uint8_t*>(values.data()), count * sizeof(T)};
     }
     void take(std::string& text) {
         std::size_t size = 0;
@@ -129,6 +174,10 @@ class Reader {
     }
 
     std::span<const std::uint8_t> bytes_;
+    std::vector<VectorApart>* apart_ = nullptr;
 };
+
+using Reader = BasicReader<false>;
+using SplitReader = BasicReader<true>;
 
 } // namespace edgeshade::web

@@ -232,6 +232,9 @@ class ShadowMasks {
     /// Uploads a mesh ahead of add(), so that no draw() is slowed by it.
     void upload(const PreparedMesh& mesh);
     void upload(const MergedMeshes& meshes);
+    /// Takes one step of upload() a call, as large meshes take long. Returns whether all is there.
+    bool uploadStep(const PreparedMesh& mesh);
+    bool uploadStep(const MergedMeshes& meshes);
     /// Replaces the mesh, and keeps its place.
     void change(Id id, const PreparedMesh& mesh);
     void change(Id id, const MaskMesh& mesh);

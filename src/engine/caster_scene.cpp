@@ -327,21 +327,32 @@ void CasterScene::changed() {
     gpu_->groups.clear();
 }
 
-CasterScene::Buffers CasterScene::buffersOf(const PreparedMesh::Data& mesh) const {
+std::shared_ptr<std::vector<SurfaceChunk>>
+CasterScene::surfacesOf(const PreparedMesh::Data& mesh) const {
     Batch batch;
     batch.geometry = mesh.geometry;
-    return {
-        std::make_shared<std::vector<SurfaceChunk>>(uploadSurfaces(batch, loaded_.scene.materials)),
-        std::make_shared<PlanePairBuffers>(mesh.shadow, mesh.alphaCorners, layout_)};
+    return std::make_shared<std::vector<SurfaceChunk>>(
+        uploadSurfaces(batch, loaded_.scene.materials));
 }
 
-void CasterScene::upload(const PreparedMesh& mesh) {
+std::shared_ptr<PlanePairBuffers> CasterScene::volumesOf(const PreparedMesh::Data& mesh) const {
+    return std::make_shared<PlanePairBuffers>(mesh.shadow, mesh.alphaCorners, layout_);
+}
+
+bool CasterScene::uploadStep(const PreparedMesh& of) {
     std::erase_if(ahead_, [](const auto& entry) { return entry.second.mesh.expired(); });
-    if (ahead_.contains(mesh.data()->shadow.get())) return;
-    if (!mesh.data()->shadow->caps.empty()) chains_->of(mesh.data()->shadow);
-    ahead_[mesh.data()->shadow.get()] = {
-        mesh.data(), buffersOf(*mesh.data()),
-        CopyOnWrite(TriangleTree(*mesh.data()->geometry, loaded_.scene.materials))};
+    const PreparedMesh::Data& mesh = *of.data();
+    const auto [entry, isNew] = ahead_.try_emplace(mesh.shadow.get(), Ahead{of.data()});
+    Ahead& made = entry->second;
+    if (isNew && !mesh.shadow->caps.empty())
+        chains_->of(mesh.shadow);
+    else if (!made.surfaces)
+        made.surfaces = surfacesOf(mesh);
+    else if (!made.volumes)
+        made.volumes = volumesOf(mesh);
+    else if (!made.triangles)
+        made.triangles.emplace(TriangleTree(*mesh.geometry, loaded_.scene.materials));
+    return made.triangles.has_value();
 }
 
 bool CasterScene::upload() {
@@ -361,12 +372,12 @@ bool CasterScene::upload() {
             to.volumes = gpu_->batches[same->second].volumes;
             continue;
         }
-        const auto ahead = ahead_.find(loaded_.planePairs[i].get());
+        const auto found = ahead_.find(loaded_.planePairs[i].get());
+        const Ahead ahead = found != ahead_.end() ? found->second : Ahead{};
         const PreparedMesh::Data& mesh = to.hidden ? *nothing_.data() : *slots_[i].mesh;
-        const Buffers buffers = ahead != ahead_.end() ? ahead->second.buffers : buffersOf(mesh);
-        to.surfaces = buffers.surfaces;
-        to.volumes.planePairs = buffers.volumes;
-        if (ahead != ahead_.end()) ahead_.erase(ahead);
+        to.surfaces = ahead.surfaces ? ahead.surfaces : surfacesOf(mesh);
+        to.volumes.planePairs = ahead.volumes ? ahead.volumes : volumesOf(mesh);
+        if (found != ahead_.end()) ahead_.erase(found);
     }
     std::set<const PlanePairBuffers*> owned;
     for (GpuBatch& batch : gpu_->batches)
@@ -482,11 +493,18 @@ const Box& CasterScene::bounds() {
     return *bounds_;
 }
 
+bool CasterScene::measure() {
+    if (bounds_) return false;
+    bounds();
+    return true;
+}
+
 const SceneTree& CasterScene::tree() {
     if (treeIsCurrent_) return tree_;
     SceneTree::Trees made;
     for (const auto& [shadow, ahead] : ahead_)
-        if (const auto mesh = ahead.mesh.lock()) made.emplace(&*mesh->geometry, ahead.triangles);
+        if (const auto mesh = ahead.mesh.lock(); mesh && ahead.triangles)
+            made.emplace(&*mesh->geometry, *ahead.triangles);
     tree_.update(loaded_.scene, std::move(made));
     treeIsCurrent_ = true;
     return tree_;

@@ -44,8 +44,9 @@ class CasterScene {
     void mergeResting();
 
     /// Uploads a mesh ahead of add(), makes the tree of its triangles, and prepares its records for
-    /// fillLayers(); dropped when nobody holds the mesh any more.
-    void upload(const PreparedMesh& mesh);
+    /// fillLayers(), one step a call. Returns whether all is there; it is dropped when nobody holds
+    /// the mesh any more.
+    bool uploadStep(const PreparedMesh& mesh);
     /// Uploads all meshes that are missing on the GPU, each mesh once. Returns whether any were.
     bool upload();
     /// Fills in the layers of the view's lights, except those that count movers alone. Returns
@@ -86,6 +87,8 @@ class CasterScene {
     const LoadedScene& loaded() const { return loaded_; }
     GpuScene& gpu() { return *gpu_; }
     const Box& bounds();
+    /// Finds bounds(). Returns whether they weren't known.
+    bool measure();
     const SceneTree& tree();
     /// Number of batches that have triangles: single and merged meshes.
     std::size_t drawnBatches() const;
@@ -93,14 +96,12 @@ class CasterScene {
     std::size_t bytes() const;
 
   private:
-    struct Buffers {
-        std::shared_ptr<std::vector<SurfaceChunk>> surfaces;
-        std::shared_ptr<PlanePairBuffers> volumes;
-    };
+    /// Parts of a mesh that uploadStep() has made so far, in this order.
     struct Ahead {
-        std::weak_ptr<const PreparedMesh::Data> mesh;
-        Buffers buffers;
-        CopyOnWrite<TriangleTree> triangles;
+        std::weak_ptr<const PreparedMesh::Data> mesh{};
+        std::shared_ptr<std::vector<SurfaceChunk>> surfaces{};
+        std::shared_ptr<PlanePairBuffers> volumes{};
+        std::optional<CopyOnWrite<TriangleTree>> triangles{};
     };
 
     struct Slot {
@@ -137,7 +138,8 @@ class CasterScene {
     static constexpr std::size_t shortRest = 30, longRest = 3000;   // draws
     static constexpr std::size_t mostMerged = std::size_t{1} << 20; // triangles
 
-    Buffers buffersOf(const PreparedMesh::Data& mesh) const;
+    std::shared_ptr<std::vector<SurfaceChunk>> surfacesOf(const PreparedMesh::Data& mesh) const;
+    std::shared_ptr<PlanePairBuffers> volumesOf(const PreparedMesh::Data& mesh) const;
     void requireKnown(Id id) const;
     /// The number of an unused batch, hidden.
     std::size_t freeBatch();

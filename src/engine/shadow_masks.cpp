@@ -245,7 +245,7 @@ MaskPlan MaskDrawing::plan(const MaskView& of, const std::vector<Light>& lights,
 
 bool MaskDrawing::planAhead(const MaskView& of, const std::vector<Light>& lights,
                             std::span<const ShadowMasks::LookupId> ids) {
-    if (casters.upload()) return false;
+    if (casters.upload() || casters.measure()) return false;
     MaskPlan planned = plan(of, lights, ids);
     if (planned.isNew) return false;
     for (std::size_t i = 0; i < lights.size(); ++i) {
@@ -433,7 +433,18 @@ void ShadowMasks::upload(const MergedMeshes& meshes) {
 }
 
 void ShadowMasks::upload(const PreparedMesh& mesh) {
-    impl_->withStateKept([&] { impl_->drawing->casters.upload(mesh); });
+    while (!uploadStep(mesh)) {
+    }
+}
+
+bool ShadowMasks::uploadStep(const MergedMeshes& meshes) {
+    return uploadStep(meshes.data()->merged.mesh);
+}
+
+bool ShadowMasks::uploadStep(const PreparedMesh& mesh) {
+    bool isDone = false;
+    impl_->withStateKept([&] { isDone = impl_->drawing->casters.uploadStep(mesh); });
+    return isDone;
 }
 
 void ShadowMasks::change(Id id, const PreparedMesh& mesh) {

@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 namespace edgeshade {
@@ -103,6 +104,28 @@ TEST(MergedMeshes, MadeBeforeTheyAreAddedTakeFewDrawsFromTheFirst) {
     EXPECT_EQ(merged.masks.lookupWork({}).data()->task.casters.size(), 1u);
 }
 
+TEST(MergedMeshes, UploadedInStepsAreTheSame) {
+    const gl::HeadlessContext context({hostWidth, hostHeight});
+    const Scene scene = box();
+    const MaskMesh mesh = meshOf(geometryOf(scene));
+    const PreparedMesh prepared(mesh);
+    std::vector<MergedMeshes::Member> members;
+    for (const glm::dmat4& place : rows(36))
+        members.push_back({prepared, numbersOf(place)});
+    const std::vector<MergedMeshes> made = MergedMeshes::of(members);
+    ASSERT_EQ(made.size(), 1u);
+    Yard single(rows(36), mesh);
+    const std::vector<std::uint8_t> expected = single.drawn();
+    for (const int steps : {1, 2, 3, 4}) { // the next draw makes what is missing
+        Yard merged({}, mesh);
+        for (int step = 1; step <= steps; ++step)
+            EXPECT_EQ(merged.masks.uploadStep(made[0]), step == 4) << "step " << step;
+        merged.masks.add(made[0]);
+        EXPECT_EQ(merged.drawn(), expected) << steps << " steps";
+        EXPECT_EQ(merged.batches(), 2u);
+    }
+}
+
 TEST(MergedMeshes, LeaveOutLargeAlphaTestedAndLonelyMeshes) {
     const Scene scene = box();
     MaskMesh tested = meshOf(geometryOf(scene));
@@ -110,8 +133,10 @@ TEST(MergedMeshes, LeaveOutLargeAlphaTestedAndLonelyMeshes) {
     std::vector<float> many;
     for (std::size_t i = 0; i < 3 * 3 * (mostTrianglesOfMember + 1); ++i)
         many.push_back(static_cast<float>(i * i % 97));
+    std::vector<std::uint32_t> corners(many.size() / 3);
+    std::iota(corners.begin(), corners.end(), 0u);
     const PreparedMesh small(meshOf(geometryOf(scene))),
-        large(MaskMesh{.positions = many, .indices = {}}), holes(tested);
+        large(MaskMesh{.positions = many, .indices = corners}), holes(tested);
     const glm::dmat4 faraway = glm::translate(glm::dmat4(1.0), {1e6, 0, 0});
     std::vector<MergedMeshes::Member> members{{large}, {holes}, {small, numbersOf(faraway)}};
     for (const glm::dmat4& place : rows(5))

@@ -5,6 +5,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
+#include <numeric>
 #include <stdexcept>
 
 namespace edgeshade {
@@ -103,10 +104,10 @@ TEST(ShadowMasks, PlannedAheadAreTheSame) {
         return steps;
     };
     masks.add(meshOf(geometryOf(ground)));
-    EXPECT_EQ(stepsOf(), 5u) << "uploads, layers, lists for each light, and their upload";
+    EXPECT_EQ(stepsOf(), 6u) << "uploads, bounds, layers, lists for each light, and their upload";
     EXPECT_EQ(stepsOf(), 1u);
     masks.add(meshOf(geometryOf(box)), numbersOf(left));
-    EXPECT_EQ(stepsOf(), 5u);
+    EXPECT_EQ(stepsOf(), 6u);
     masks.draw(view, asked);
     EXPECT_EQ(readMask(masks, 0), first.mask);
     EXPECT_EQ(readMask(masks, 1), second.mask);
@@ -116,6 +117,38 @@ TEST(ShadowMasks, PlannedAheadAreTheSame) {
     EXPECT_THROW(masks.planAhead(view, asked, one), std::runtime_error);
     view.width = 0;
     EXPECT_THROW(masks.planAhead(view, asked), std::runtime_error);
+}
+
+TEST(ShadowMasks, ListsOfLargeMeshesArePlannedInStepsOfTheirOwn) {
+    const gl::HeadlessContext context({hostWidth, hostHeight});
+    const Scene ground = yard().scene();
+    std::vector<float> meadow; // more records than a step lists
+    for (int i = 0; i < 12000; ++i) {
+        const auto x = static_cast<float>(i % 120) / 40.0f, z = static_cast<float>(i / 120) / 40.0f;
+        meadow.insert(meadow.end(), {x, 0.4f, z, x + 0.02f, 0.4f, z, x, 0.44f, z + 0.01f});
+    }
+    std::vector<std::uint32_t> indices(meadow.size() / 3);
+    std::iota(indices.begin(), indices.end(), 0u);
+    const PreparedMesh prepared(MaskMesh{.positions = meadow, .indices = indices});
+    const auto addTo = [&](ShadowMasks& masks) {
+        masks.add(meshOf(geometryOf(ground)));
+        for (const double at : {-3.0, -1.0, 1.0}) {
+            const glm::dmat4 there = glm::translate(glm::dmat4(1.0), {at, 0, at});
+            masks.add(prepared, numbersOf(glm::rotate(there, at, {0, 1, 0})));
+        }
+    };
+    ShadowMasks masks(eglLookUp), others(eglLookUp);
+    addTo(masks);
+    addTo(others);
+    const MaskLight light = hostLight(sun({0.3, 1, 0.2}));
+    others.draw(viewOf(corner), {&light, 1});
+    const std::vector<std::uint8_t> expected = readMask(others, 0);
+    std::size_t steps = 1;
+    while (!masks.planAhead(viewOf(corner), {&light, 1}) && steps < 20)
+        ++steps;
+    EXPECT_EQ(steps, 7u) << "uploads, bounds, layers, lists of three places, and their upload";
+    masks.draw(viewOf(corner), {&light, 1});
+    EXPECT_EQ(readMask(masks, 0), expected);
 }
 
 TEST(ShadowMasks, ProgramsOfExpectedMeshesAreMadeAhead) {

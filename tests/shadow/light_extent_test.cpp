@@ -143,7 +143,7 @@ TEST(LightExtent, OneListOfSilhouettesServesAllPoints) {
     for (const Light& point : lightPoints(light, 40)) {
         silhouettes.beginFrame(identity);
         const SilhouetteList& list =
-            silhouettes.of({shadow, 0, 0, around}, lightInObject(point, glm::dmat4(1.0)));
+            *silhouettes.of({shadow, 0, 0, around}, lightInObject(point, glm::dmat4(1.0)));
         EXPECT_GT(list.size(), 0u);
         EXPECT_LT(list.size(), shadow->pairs.size());
     }
@@ -157,9 +157,9 @@ TEST(LightExtent, InSomePlaneIsAskedOfEveryPoint) {
     PotentialSilhouettes silhouettes(23);
     silhouettes.beginFrame(std::make_shared<const int>(0));
     const LightBall around{glm::vec4(3, 1.5f, 4, 1), 2.0f};
-    EXPECT_TRUE(silhouettes.of({shadow, 0, 0, around}, {3, 1, 4, 1}).lightInPlane);
-    EXPECT_FALSE(silhouettes.of({shadow, 0, 0, around}, {3, 1.5f, 4, 1}).lightInPlane);
-    EXPECT_TRUE(silhouettes.of({shadow, 0, 0, around}, {3, 1, 4.5f, 1}).lightInPlane);
+    EXPECT_TRUE(silhouettes.of({shadow, 0, 0, around}, {3, 1, 4, 1})->lightInPlane);
+    EXPECT_FALSE(silhouettes.of({shadow, 0, 0, around}, {3, 1.5f, 4, 1})->lightInPlane);
+    EXPECT_TRUE(silhouettes.of({shadow, 0, 0, around}, {3, 1, 4.5f, 1})->lightInPlane);
 }
 
 TEST(Subpixels, TheFirstIsTheMiddleAndAllAreWithinThePixel) {

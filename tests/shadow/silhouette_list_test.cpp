@@ -295,7 +295,7 @@ TEST(PotentialSilhouettes, ForgetRecordsOfAPoseThatHasPassed) {
     auto shadow = std::make_shared<const PlanePairShadow>(shadowOf(test::cube()));
     for (int frame = 0; frame < 3; ++frame) {
         silhouettes.beginFrame(scene);
-        EXPECT_GT(silhouettes.of({shadow}, light).size(), 0u);
+        EXPECT_GT(silhouettes.of({shadow}, light)->size(), 0u);
     }
     EXPECT_EQ(silhouettes.made(), 1u) << "nothing moved";
     const std::weak_ptr<const PlanePairShadow> passed = shadow;
@@ -304,6 +304,27 @@ TEST(PotentialSilhouettes, ForgetRecordsOfAPoseThatHasPassed) {
     silhouettes.beginFrame(scene);
     EXPECT_TRUE(passed.expired()) << "else every pose of the last frames stays in memory";
     silhouettes.of({shadow}, light);
+    EXPECT_EQ(silhouettes.made(), 2u);
+}
+
+TEST(PotentialSilhouettes, ListNoMoreThanAFrameMay) {
+    const glm::vec4 light(0, 5, 0, 1);
+    const auto shadow = std::make_shared<const PlanePairShadow>(shadowOf(test::cube()));
+    const auto other = std::make_shared<const PlanePairShadow>(shadowOf(test::cube()));
+    PotentialSilhouettes silhouettes(23);
+    const std::size_t records = shadow->pairs.size() + shadow->caps.size();
+    silhouettes.beginFrame(nullptr, records);
+    EXPECT_GT(silhouettes.of({shadow}, light)->size(), 0u);
+    EXPECT_EQ(silhouettes.of({other}, light), nullptr);
+    EXPECT_EQ(silhouettes.made(), 1u);
+    silhouettes.beginFrame(nullptr, records + 1);
+    EXPECT_GT(silhouettes.of({shadow}, light)->size(), 0u);
+    EXPECT_GT(silhouettes.of({other}, light)->size(), 0u) << "those that are kept don't count";
+    EXPECT_EQ(silhouettes.made(), 2u);
+    silhouettes.beginFrame(nullptr, 0);
+    EXPECT_EQ(silhouettes.of({shadow}, light), nullptr);
+    silhouettes.beginFrame(nullptr);
+    EXPECT_GT(silhouettes.of({shadow}, light)->size(), 0u);
     EXPECT_EQ(silhouettes.made(), 2u);
 }
 

@@ -84,21 +84,38 @@ class PageMasks {
                 meshAt(positions, floats, indices, count, texcoords, texcoordFloats, flags));
         });
     }
-    /// Takes over a mesh from the worker: `size` bytes from malloc(), which it frees.
+    /// Begins to take over a mesh from the worker: a head of toTransfer(), `size` bytes from
+    /// malloc(), which it frees. Nothing else may use the mesh before nextArray() is empty.
     int take(std::uintptr_t address, std::size_t size) {
         return numberOf([&] {
             const PageBytes bytes(address, size);
-            PreparedMesh mesh = meshFromTransfer(bytes.view());
-            if (masks_) masks_->expect(mesh);
-            return mesh;
+            return fillLater(meshOfHead(bytes.view()));
         });
+    }
+    /// Memory of the mesh that the next bytes after the head are to be copied to; empty: there are
+    /// none, and the mesh may be used; null on failure.
+    emscripten::val nextArray(int mesh) {
+        std::span<std::uint8_t> array;
+        const bool isThere = done([&] {
+            std::vector<VectorApart>& apart = unfilled_.at(mesh);
+            if (apart.empty()) {
+                if (masks_) masks_->expect(meshes_.at(mesh));
+                unfilled_.erase(mesh);
+                return;
+            }
+            array = apart.back().bytes();
+            apart.pop_back();
+        });
+        return isThere ? emscripten::val(emscripten::typed_memory_view(array.size(), array.data()))
+                       : emscripten::val::null();
     }
     /// Whether prepareToDraw() has made what meshes that were taken over take.
     bool isPrepared() const { return !masks_ || masks_->isPrepared(); }
-    bool upload(int mesh) {
-        return done([&] { masks().upload(meshes_.at(mesh)); });
+    int uploadStep(int mesh) {
+        return truthOf([&] { return masks().uploadStep(meshes_.at(mesh)); });
     }
     void release(int mesh) {
+        unfilled_.erase(mesh);
         meshes_.erase(mesh);
         worldFromMerged_.erase(mesh);
     }
@@ -108,14 +125,15 @@ class PageMasks {
         done([&] { id = static_cast<int>(masks().add(meshes_.at(mesh), matrixAt(matrix))); });
         return id;
     }
-    /// Takes over merged meshes from the worker, for upload() and addMerged(): bytes as in take().
+    /// Takes over merged meshes from the worker, for uploadStep() and addMerged(): as take().
     /// Returns their number.
     int takeMerged(std::uintptr_t address, std::size_t size) {
         return numberOf([&] {
             const PageBytes bytes(address, size);
-            MergedMesh merged = mergedFromTransfer(bytes.view());
-            worldFromMerged_[nextMesh_] = merged.worldFromMerged;
-            return std::move(merged.mesh);
+            Outlined<MergedMesh> taken = mergedOfHead(bytes.view());
+            worldFromMerged_[nextMesh_] = taken.mesh.worldFromMerged;
+            return fillLater(
+                Outlined<PreparedMesh>{std::move(taken.mesh.mesh), std::move(taken.arrays)});
         });
     }
     /// Adds merged meshes. `meshes`: numbers of `count` members, which their ids replace.
@@ -388,10 +406,17 @@ class PageMasks {
         const bool made = done([&] { meshes_.emplace(nextMesh_, make()); });
         return made ? nextMesh_++ : -1;
     }
+    /// For the mesh that gets the next number.
+    PreparedMesh fillLater(Outlined<PreparedMesh> taken) {
+        std::reverse(taken.arrays.begin(), taken.arrays.end());
+        unfilled_[nextMesh_] = std::move(taken.arrays);
+        return std::move(taken.mesh);
+    }
 
     std::optional<ShadowMasks> masks_;
     std::map<int, PreparedMesh> meshes_;
-    std::map<int, glm::dmat4> worldFromMerged_; ///< by number of a merged mesh
+    std::map<int, std::vector<VectorApart>> unfilled_; ///< by number of a mesh, the next one last
+    std::map<int, glm::dmat4> worldFromMerged_;        ///< by number of a merged mesh
     std::map<int, std::shared_ptr<const MaskTexels>> texels_;
     std::map<int, TaskTransfer> tasks_;
     int nextMesh_ = 0, nextTexels_ = 0, nextTask_ = 0;
@@ -407,7 +432,8 @@ EMSCRIPTEN_BINDINGS(edgeshade_masks) {
         .function("forget", &PageMasks::forget)
         .function("prepare", &PageMasks::prepare)
         .function("take", &PageMasks::take)
-        .function("upload", &PageMasks::upload)
+        .function("nextArray", &PageMasks::nextArray)
+        .function("uploadStep", &PageMasks::uploadStep)
         .function("release", &PageMasks::release)
         .function("add", &PageMasks::add)
         .function("takeMerged", &PageMasks::takeMerged)

@@ -274,11 +274,15 @@ export class ShadowMasks {
   prepareTogether(meshes: MaskMesh[], places: { mesh: number; matrix: Matrix }[]): Promise<PreparedTogether>;
   /** Takes over one of PreparedTogether.meshes. Returns its number. Throws what was wrong with it. */
   take(mesh: Uint8Array | string): number;
+  /** take() in steps, as large meshes take long: call next() until it is done, and returns the number. */
+  taking(mesh: Uint8Array | string): Generator<void, number>;
   /**
    * Takes over one of PreparedTogether.merged. Returns its number, for upload(), addMerged() and
    * release().
    */
   takeMerged(bytes: Uint8Array): number;
+  /** takeMerged() in steps. */
+  takingMerged(bytes: Uint8Array): Generator<void, number>;
   /**
    * Adds the members of one of PreparedTogether.merged: its number, its meshes' numbers, and the same
    * places. Returns their ids. They may then be moved, changed and removed like others.
@@ -288,6 +292,8 @@ export class ShadowMasks {
   addMerged(bytes: Uint8Array, meshes: number[], matrices: Matrix[]): number[];
   /** Uploads it ahead of add(), so that no draw() takes long. */
   upload(mesh: number): void;
+  /** Takes one step of upload(), as large meshes take long. Returns whether all is there. */
+  uploadStep(mesh: number): boolean;
   /** Frees the number; meshes that were added with it stay. */
   release(mesh: number): void;
 

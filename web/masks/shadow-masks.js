@@ -17,6 +17,20 @@ const kinds = ['directional', 'point', 'spot'];
 export const longRestMs = 5000;
 const channels = ['alpha', 'green'], wraps = ['repeat', 'mirror', 'clamp'], identity = [1, 0, 0, 0, 1, 0, 0, 0, 1];
 
+/** Where the head of a prepared mesh's bytes begins, after its size. */
+const headAt = 4;
+
+/** Bytes of a prepared mesh that are copied at once. */
+const bytesAtOnce = 1 << 20;
+
+/** Runs a generator to its end. Returns its result. */
+function resultOf(generator) {
+  for (;;) {
+    const { done, value } = generator.next();
+    if (done) return value;
+  }
+}
+
 /** Most lights in one draw(). */
 export const mostLights = 32;
 
@@ -116,13 +130,46 @@ export class ShadowMasks {
 
   /** Takes over a mesh that prepareTogether() prepared. Returns its number. */
   take(bytes) {
+    return resultOf(this.taking(bytes));
+  }
+
+  /** take() in steps: a generator that returns the number. */
+  *taking(bytes) {
     if (typeof bytes === 'string') throw new Error(bytes);
-    return this.#numberOf(this.#masks.take(...putBytes(this.#program, bytes)));
+    return yield* this.#takingBy((...head) => this.#masks.take(...head), bytes);
   }
 
   /** Takes over merged neighbours that prepareTogether() prepared. Returns their number. */
   takeMerged(bytes) {
-    return this.#numberOf(this.#masks.takeMerged(...putBytes(this.#program, bytes)));
+    return resultOf(this.takingMerged(bytes));
+  }
+
+  /** takeMerged() in steps. */
+  takingMerged(bytes) {
+    return this.#takingBy((...head) => this.#masks.takeMerged(...head), bytes);
+  }
+
+  /** `begin(address, size)` takes over the head of the bytes, and returns the mesh's number; the rest follows in pieces. */
+  *#takingBy(begin, bytes) {
+    let from = headAt + new DataView(bytes.buffer, bytes.byteOffset).getUint32(0, true);
+    const number = this.#numberOf(begin(...putBytes(this.#program, bytes.subarray(headAt, from))));
+    try {
+      for (;;) {
+        const array = this.#masks.nextArray(number);
+        this.#require(array);
+        const { byteOffset: address, length } = array; // memory may move to another buffer between steps
+        if (length === 0) return number;
+        for (const end = from + length; from < end;) {
+          yield;
+          const piece = bytes.subarray(from, Math.min(from + bytesAtOnce, end));
+          this.#program.HEAPU8.set(piece, address + length - (end - from));
+          from += piece.length;
+        }
+      }
+    } catch (error) {
+      this.release(number);
+      throw error;
+    }
   }
 
   /**
@@ -155,7 +202,14 @@ export class ShadowMasks {
 
   /** Uploads a prepared mesh ahead of add(), so that no draw() takes long. */
   upload(mesh) {
-    this.#require(this.#inContext(() => this.#masks.upload(mesh)));
+    while (!this.uploadStep(mesh)) { /* takes the next */ }
+  }
+
+  /** Takes one step of upload(). Returns whether all is there. */
+  uploadStep(mesh) {
+    const isDone = this.#inContext(() => this.#masks.uploadStep(mesh));
+    this.#require(isDone >= 0);
+    return isDone > 0;
   }
 
   release(mesh) {

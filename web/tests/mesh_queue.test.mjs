@@ -8,18 +8,19 @@ import { MeshQueue } from '../three/mesh-queue.js';
 
 /** A queue with an engine that prepares batches when the test says so. `ofTaken(bytes)`: called as the engine takes a mesh over. */
 function started(ofTaken = () => {}) {
-  const engine = { answers: [], added: [], isPrepared: true, isBusy: true };
+  const engine = { answers: [], added: [], released: [], isPrepared: true, isBusy: true, pieces: () => [], uploadStep: () => true };
   const masks = {
     prepareTogether: (shapes, places) => new Promise((resolve) => {
-      engine.answers.push(() => resolve({ meshes: shapes.map(({ name }) => name), merged: [{ members: places.map((_, i) => i), bytes: '' }] }));
+      engine.answers.push(() => resolve({ meshes: shapes.map(({ name }) => name), merged: places.length ? [{ members: places.map((_, i) => i), bytes: '' }] : [] }));
     }),
-    take: (bytes) => {
+    *taking(bytes) {
       ofTaken(bytes, engine);
+      yield* engine.pieces();
       return 1;
     },
-    takeMerged: () => 2,
-    upload() {},
-    release() {},
+    *takingMerged() { return 2; },
+    uploadStep: () => engine.uploadStep(),
+    release: (number) => engine.released.push(number),
     addMerged: (_, numbers) => {
       engine.added.push(numbers.length);
       return numbers;
@@ -108,4 +109,52 @@ test('a frame takes no steps that have been taken since the frame before', async
   assert.equal(sent.length, 2);
   assert.equal(frame(), 2, 'a step came between');
   assert.equal(frame(), 3);
+});
+
+test('a large mesh is taken over and uploaded in steps, and let go if nobody uses it any more', async (context) => {
+  let now = 0;
+  context.mock.method(performance, 'now', () => now);
+  const { queue, engine, answer } = started();
+  let pieces = 0, uploads = 0;
+  engine.pieces = function* () {
+    for (; pieces < 20; ++pieces, now += 3) yield; // milliseconds
+  };
+  engine.uploadStep = () => {
+    now += 5;
+    uploads += 1;
+    return uploads === 4;
+  };
+  let done = 0;
+  const add = () => {
+    const entry = { number: null, users: 1 };
+    queue.add({ entry, merges: false, shape: () => ({ name: 'large', indices: new Array(3e5) }), isWanted: () => true, done() { done += 1; } });
+    return entry;
+  };
+  const frame = () => {
+    const since = now;
+    const changed = queue.advance();
+    assert.ok(now - since <= 11, `${now - since} ms in a frame`);
+    return changed;
+  };
+  const kept = add();
+  frame();
+  await answer();
+  const changes = [];
+  while (kept.number === null) changes.push(frame());
+  assert.ok(changes.length >= 7, `${changes.length} frames`);
+  assert.deepEqual(new Set(changes.slice(0, -1)), new Set([false]), 'the GL stays as it is');
+  assert.equal(done, 0, 'it is added once it is uploaded');
+  for (let i = 0; uploads < 4; ++i) assert.ok(frame() && i < 4);
+  frame();
+  assert.deepEqual([done, uploads, queue.hasSteps, engine.released], [1, 4, false, []]);
+
+  pieces = uploads = 0;
+  const dropped = add();
+  frame();
+  await answer();
+  frame();
+  assert.ok(pieces > 0 && pieces < 20);
+  dropped.users = 0;
+  for (let i = 0; i < 12; ++i) frame();
+  assert.deepEqual([dropped.number, engine.released, uploads, queue.hasSteps], [null, [1], 0, false]);
 });

@@ -103,6 +103,57 @@ test('without vertex array objects attributes are kept, in WebGL 1', async () =>
   assert.ok(lit);
 });
 
+test('large meshes are taken over and uploaded in steps, two at once, and cast what they cast otherwise', async () => {
+  const { steps, uploads, masks, shadowed, problem } = await inPage(async ({ three }) => {
+    const { ShadowMasks } = await import('/masks/shadow-masks.js');
+    const gl = document.createElement('canvas').getContext('webgl');
+    const engine = await ShadowMasks.create(gl);
+    const shapeOf = ({ index, attributes: { position } }) => ({ positions: position.array, indices: index.array });
+    const shapes = [new three.TorusKnotGeometry(0.4, 0.12, 300, 40), new three.SphereGeometry(0.5, 200, 100)].map(shapeOf);
+    const at = (x, y, z) => new three.Matrix4().makeTranslation(x, y, z).elements;
+    const { meshes } = await engine.prepareTogether(shapes, []);
+    const view = { viewFromWorld: at(0, 0, -3), clipFromView: new three.PerspectiveCamera(60, 1, 0.1, 10).projectionMatrix.elements, width: 64, height: 64 };
+    engine.add(engine.prepareNow({ positions: [-3, -3, -1, 3, -3, -1, 3, 3, -1, -3, 3, -1], indices: [0, 1, 2, 0, 2, 3] }), at(0, 0, 0));
+    const maskOf = (numbers) => {
+      const ids = numbers.map((number, i) => engine.add(number, at(i - 0.5, 0, 0)));
+      const { textures } = engine.draw(view, [{ direction: [0.3, 0.2, -1] }]);
+      const bytes = new Uint8Array(4 * 64 * 64);
+      gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
+      gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, textures[0], 0);
+      gl.readPixels(0, 0, 64, 64, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+      gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+      for (const id of ids) engine.remove(id);
+      return bytes.filter((_, i) => i % 4 === 0);
+    };
+    const masks = [maskOf([])], steps = [0, 0], numbers = [null, null], uploads = [];
+    masks.push(maskOf(meshes.map((bytes) => engine.take(bytes))));
+    const taking = meshes.map((bytes) => engine.taking(bytes));
+    while (numbers.includes(null))
+      for (const [i, generator] of taking.entries()) {
+        if (numbers[i] !== null) continue;
+        const { done, value } = generator.next();
+        steps[i] += 1;
+        if (done) numbers[i] = value;
+      }
+    for (const number of numbers) {
+      uploads.push(1);
+      while (!engine.uploadStep(number)) uploads[uploads.length - 1] += 1;
+    }
+    masks.push(maskOf(numbers));
+    let problem = '';
+    try {
+      engine.taking('why not').next();
+    } catch ({ message }) {
+      problem = message;
+    }
+    return { steps, uploads, masks: masks.map(String), shadowed: masks.map((mask) => mask.filter((value) => value < 128).length), problem };
+  }, { allowed: asking });
+  assert.ok(Math.min(...steps) > 5, `${steps} steps`);
+  assert.deepEqual(uploads, [4, 4]);
+  assert.deepEqual([shadowed[0], masks[1] === masks[2], problem], [0, true, 'why not']);
+  assert.ok(shadowed[1] > 50, `${shadowed[1]} pixels in shadow`);
+});
+
 test('a material takes shadows as long as it is theirs, and is as it came after dispose()', async () => {
   const { inShadow, plain, after, again, keys } = await inPage(async ({ three, yard, ExactShadows, cameraOf, drawn, redAt }) => {
     const { renderer, scene, box, ground } = yard({ width: 200, height: 120 });

@@ -68,14 +68,20 @@ export class MeshQueue {
     let changed = false;
     this.#release();
     do {
-      const step = this.#steps.shift();
-      if (step) changed = step() || changed;
+      if (this.#steps.length) changed = this.#goOn() || changed;
       else if (!this.#read()) break;
     } while (performance.now() < until);
     // While meshes keep coming, more of them are merged together.
     if (this.#batch && this.#next === this.#waiting.length && !this.#grows) this.#send();
     this.#grows = false;
     return changed;
+  }
+
+  /** Goes on with the first step. Returns whether the GL's state has changed. */
+  #goOn() {
+    const { done, value } = this.#steps[0].next();
+    if (done) this.#steps.shift();
+    return Boolean(value);
   }
 
   /**
@@ -89,10 +95,12 @@ export class MeshQueue {
     if (!this.#isPrepared()) return;
     const steps = this.#held.splice(0);
     this.#adding += steps.length;
-    this.#steps.push(...steps.map((step) => () => {
-      this.#adding -= 1;
-      return step();
-    }));
+    this.#steps.push(...steps.map((step) => this.#add(step)));
+  }
+
+  *#add(step) {
+    this.#adding -= 1;
+    step();
   }
 
   #hold(step) {
@@ -144,11 +152,11 @@ export class MeshQueue {
     const call = this.#masks.prepareTogether(batch.shapes, placed.map(({ mesh, at }) => ({ mesh, matrix: at }))).then(
       ({ meshes, merged }) => {
         this.#taking += meshes.length + merged.length;
-        for (const [i, bytes] of meshes.entries()) this.#steps.push(() => this.#takeOver(batch.entries[i], () => this.#masks.take(bytes)));
-        if (batch.uploads) this.#steps.push(() => this.#upload(batch.entries[0]));
+        for (const [i, bytes] of meshes.entries()) this.#steps.push(this.#takeOver(batch.entries[i], () => this.#masks.taking(bytes)));
+        if (batch.uploads) this.#steps.push(this.#upload(batch.entries[0]));
         for (const { members, bytes } of merged) {
           const group = { number: null, users: 1, jobs: members.map((member) => placed[member]) };
-          this.#steps.push(() => this.#takeOver(group, () => this.#masks.takeMerged(bytes)), () => this.#upload(group));
+          this.#steps.push(this.#takeOver(group, () => this.#masks.takingMerged(bytes)), this.#upload(group));
           this.#hold(() => this.#addMerged(group));
         }
       },
@@ -165,22 +173,32 @@ export class MeshQueue {
     this.#calls.add(call);
   }
 
-  /** `entry`: {number, users}, of a mesh or a merged group; its number becomes what `take()` returns, -1 if that fails. */
-  #takeOver(entry, take) {
-    this.#taking -= 1;
-    if (entry.number !== null || entry.users === 0) return;
+  /**
+   * `entry`: {number, users}, of a mesh or a merged group; its number becomes what the generator `taking()` returns, -1
+   * if that fails.
+   */
+  *#takeOver(entry, taking) {
     try {
-      entry.number = take();
+      if (entry.number !== null || entry.users === 0) return;
+      const number = yield* taking();
+      if (entry.number === null && entry.users > 0) entry.number = number;
+      else this.#masks.release(number); // prepared otherwise, or not used any more, in the meantime
     } catch ({ message }) {
       entry.number = -1;
       this.#report(message);
+    } finally {
+      this.#taking -= 1;
     }
   }
 
-  #upload({ number, users }) {
-    if (users === 0 || number < 0) return false;
-    this.#masks.upload(number);
-    return true;
+  /** Yields whether the GL's state has changed. */
+  *#upload(entry) {
+    while (entry.users > 0 && entry.number >= 0) {
+      const isDone = this.#masks.uploadStep(entry.number);
+      if (isDone) return true;
+      yield true;
+    }
+    return false;
   }
 
   #addMerged({ number, jobs }) {

@@ -14,6 +14,9 @@
 namespace edgeshade {
 namespace {
 
+/// Records of the lists that a step of planning ahead makes: some 15 ms in a page.
+constexpr std::size_t mostListedAhead = std::size_t{1} << 15;
+
 bool isFullyShadowed(const LightPlan& light) {
     return std::any_of(light.counts.begin(), light.counts.end(),
                        [](const CountPlan& count) { return count.fullyShadowed; });
@@ -41,7 +44,7 @@ void Renderer::draw(GpuScene& scene, const FrameView& view, StageClock* clock,
     vertexRuns_ = 0;
     const gl::ScissorScope cut(view.part);
     const gl::Name framebuffer = gl::boundFramebuffer();
-    beginFrame(scene, view, clock, visibility);
+    beginFrame({scene, view, clock, nearnessOf(scene)}, visibility);
     prepareSum(scene, view);
     withTask(scene, view, [&](const FrameTask& task) { planFrame(task, scene, view, clock); });
     drawSlices(scene, view, clock);
@@ -55,25 +58,27 @@ bool Renderer::planAhead(GpuScene& scene, const FrameView& view) {
         return lists ? lists->made() : 0;
     };
     const std::size_t known = listed();
-    beginFrame(scene, view, nullptr, {});
+    beginFrame({scene, view, nullptr, nearnessOf(scene), mostListedAhead}, {});
     withTask(scene, view, [&](const FrameTask& task) { edgeshade::planFrame(task, plan_); });
     if (listed() != known) return false;
     prepare(plan_, scene, view);
     return true;
 }
 
-void Renderer::beginFrame(GpuScene& scene, const FrameView& view, StageClock* clock,
-                          std::span<const VisibilityLookup> visibility) {
+std::function<void(const FrameView&)> Renderer::nearnessOf(GpuScene& scene) {
+    return [this, &scene](const FrameView& view) { drawNearness(scene, view); };
+}
+
+void Renderer::beginFrame(const FrameStart& start, std::span<const VisibilityLookup> visibility) {
+    const FrameView& view = start.view;
     visibility_.assign(visibility.begin(), visibility.end());
     if (coarse_) {
         const gl::FramebufferKeeper keeper;
         coarse_->fit(view.width, view.height);
     }
-    const FrameStart start{scene, view, clock,
-                           [&](const FrameView& of) { drawNearness(scene, of); }};
     techniques_.forEach([&](ShadowTechnique& technique) { technique.beginFrame(start); });
-    chooseTechniques(scene, view);
-    sum_ = lightSum(scene, view);
+    chooseTechniques(start.scene, view);
+    sum_ = lightSum(start.scene, view);
 }
 
 void Renderer::beginMaskPrograms(std::span<const Light> lights, bool orthographic, bool nearness,

@@ -68,9 +68,9 @@ class Renderer {
     void draw(GpuScene& scene, const FrameView& view, StageClock* clock = nullptr,
               std::span<const VisibilityLookup> visibility = {});
 
-    /// Makes what draw() of the same takes, ahead of it: lists of silhouettes, and once these are
-    /// there records and programs. Returns whether all is there. Draws nothing into the current
-    /// framebuffer.
+    /// Makes what draw() of the same takes, ahead of it, some at each call: lists of silhouettes,
+    /// and once these are there records and programs. Returns whether all is there. Draws nothing
+    /// into the current framebuffer.
     bool planAhead(GpuScene& scene, const FrameView& view);
 
     /// Draws the nearness of visible geometry (shaders_es2/nearness.glsl) into the current
@@ -152,9 +152,10 @@ class Renderer {
         bool darkens() const { return !full || plainIsShort; }
     };
 
+    /// drawNearness() of a scene.
+    std::function<void(const FrameView&)> nearnessOf(GpuScene& scene);
     /// Begins what drawing and planning ahead share.
-    void beginFrame(GpuScene& scene, const FrameView& view, StageClock* clock,
-                    std::span<const VisibilityLookup> visibility);
+    void beginFrame(const FrameStart& start, std::span<const VisibilityLookup> visibility);
     LightSum lightSum(const GpuScene& scene, const FrameView& view) const;
     /// Creates what the sum needs, and binds its target.
     void prepareSum(const GpuScene& scene, const FrameView& view);

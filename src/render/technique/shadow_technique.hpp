@@ -20,6 +20,8 @@ struct FrameStart {
     StageClock* clock = nullptr; ///< may be null
     /// Draws the nearness of visible geometry, see Renderer::drawNearness().
     std::function<void(const FrameView&)> drawNearness;
+    /// As of PotentialSilhouettes::beginFrame().
+    std::size_t mostListed = std::numeric_limits<std::size_t>::max();
 };
 
 /// A stencil to mark, and where.

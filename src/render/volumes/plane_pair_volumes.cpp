@@ -135,8 +135,8 @@ PlanePairVolumes::PlanePairVolumes(const RenderSettings& settings,
     capCorners_ = gl::vertexBuffer<float>(std::array<float, 6>{0, 1, 2, 3, 4, 5});
 }
 
-void PlanePairVolumes::beginFrame(const GpuScene& scene) {
-    if (silhouettes_) silhouettes_->beginFrame(scene.identity);
+void PlanePairVolumes::beginFrame(const GpuScene& scene, std::size_t mostListed) {
+    if (silhouettes_) silhouettes_->beginFrame(scene.identity, mostListed);
     gathered_.dropExpired();
 }
 

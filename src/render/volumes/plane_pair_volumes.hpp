@@ -47,7 +47,7 @@ class PlanePairVolumes : public VolumeRenderer {
     PlanePairVolumes(const RenderSettings& settings, const gl::Capabilities& capabilities,
                      std::optional<VolumeTints> tints = {}, std::vector<std::string> defines = {});
 
-    void beginFrame(const GpuScene& scene) override;
+    void beginFrame(const GpuScene& scene, std::size_t mostListed) override;
     void plan(const GpuScene& scene, const CasterGroupInSlice& casters, CountPlan& plan) override;
     void prepare(const CountPlan& plan, GpuScene& scene,
                  const CasterGroupInSlice& casters) override;

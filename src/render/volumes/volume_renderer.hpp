@@ -41,8 +41,9 @@ class VolumeRenderer {
   public:
     virtual ~VolumeRenderer() = default;
 
-    /// Lights move from frame to frame, never within one.
-    virtual void beginFrame(const GpuScene&) {}
+    /// Lights move from frame to frame, never within one. `mostListed`: as of
+    /// PotentialSilhouettes::beginFrame().
+    virtual void beginFrame(const GpuScene&, [[maybe_unused]] std::size_t mostListed) {}
 
     /// Plans the draws for the casters, into an earlier plan, whose memory it may reuse. Uploads
     /// nothing.

@@ -37,7 +37,7 @@ VolumesTechnique::~VolumesTechnique() = default;
 
 void VolumesTechnique::beginFrame(const FrameStart& start) {
     requireCountable(volumes_->layout(), start.view);
-    volumes_->beginFrame(start.scene);
+    volumes_->beginFrame(start.scene, start.mostListed);
 }
 
 void VolumesTechnique::beginPrograms(bool directional, bool open) {

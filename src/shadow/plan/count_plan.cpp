@@ -72,8 +72,8 @@ void addClusters(const PlacedShadow& caster, PlanView& place, const PlanSettings
     plan.fullyShadowed = plan.fullyShadowed || of.volumes.fullyShadowedBy.has_value();
 }
 
-/// The silhouettes of a batch that is drawn.
-const SilhouetteList& silhouettesOf(const BatchPlan& of, double range, const FrameView& view,
+/// The silhouettes of a batch that is drawn; null if they aren't listed in this frame.
+const SilhouetteList* silhouettesOf(const BatchPlan& of, double range, const FrameView& view,
                                     std::size_t light, PotentialSilhouettes& silhouettes) {
     SilhouetteKey key{of.shadow, of.batch, view.numberOf(light)};
     key.range = range;
@@ -120,7 +120,7 @@ void planCount(const std::vector<PlacedShadow>& casters, const std::vector<Mater
         if (of.volumes.drawn.empty()) continue;
         if (settings.silhouettes)
             of.silhouettes =
-                &silhouettesOf(of, memory.ranges[i], view, light, *settings.silhouettes);
+                silhouettesOf(of, memory.ranges[i], view, light, *settings.silhouettes);
         mergeAlike(of.volumes);
         appendDraws(of, i, materials, memory.fanned, plan.draws);
     }

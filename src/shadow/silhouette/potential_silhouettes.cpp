@@ -12,10 +12,16 @@ std::array<std::uint32_t, 4> bitsOf(const glm::vec4& value) {
             glm::floatBitsToUint(value.z), glm::floatBitsToUint(value.w)};
 }
 
+std::size_t recordsOf(const PlanePairShadow& shadow) {
+    return shadow.pairs.size() + shadow.singles.size() + shadow.caps.size();
+}
+
 } // namespace
 
-void PotentialSilhouettes::beginFrame(const std::shared_ptr<const int>& scene) {
+void PotentialSilhouettes::beginFrame(const std::shared_ptr<const int>& scene,
+                                      std::size_t mostListed) {
     ++frame_;
+    mostListed_ = mostListed;
     if (scene_ != scene) {
         scene_ = scene;
         entries_.clear();
@@ -51,7 +57,8 @@ PotentialSilhouettes::Source::firstToAsk(const Asked::key_type& request, const S
     return asked.insert(std::move(node)).position->second;
 }
 
-const SilhouetteList& PotentialSilhouettes::of(const SilhouetteKey& key, const glm::vec4& light) {
+const SilhouetteList* PotentialSilhouettes::of(const SilhouetteKey& key, const glm::vec4& light) {
+    if (mostListed_ == 0) return nullptr;
     const PlanePairShadow& shadow = *key.shadow;
     auto found = sources_.find(&shadow);
     if (found == sources_.end())
@@ -63,7 +70,7 @@ const SilhouetteList& PotentialSilhouettes::of(const SilhouetteKey& key, const g
         source.firstToAsk({bitsOf(key.around ? key.around->center : light), key.range}, key);
     Entry& entry = entries_[{&shadow, batch, index}];
     SilhouetteList& list = entry.list;
-    if (entry.lastFrame == frame_ && !key.around) return list;
+    if (entry.lastFrame == frame_ && !key.around) return &list;
     entry.lastFrame = frame_;
     const bool moved = key.around ? entry.track.take(*key.around) : entry.track.follow(light);
     if (moved || entry.range != key.range || entry.reach != key.reach) {
@@ -76,9 +83,10 @@ const SilhouetteList& PotentialSilhouettes::of(const SilhouetteKey& key, const g
         if (!list.identity) list.identity = std::make_shared<const int>(0);
         ++list.version;
         ++made_;
+        mostListed_ -= std::min(mostListed_, recordsOf(shadow));
     }
     list.lightInPlane = entry.uncertain.mayHold(light, key.reach, mantissaBits_);
-    return list;
+    return &list;
 }
 
 } // namespace edgeshade

@@ -27,19 +27,22 @@ struct SilhouetteKey {
 /// rebuilt only when its light leaves the ball it was built for (docs/method.md, C24).
 class PotentialSilhouettes {
   public:
+    static constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
+
     /// `mantissaBits`: of the vertex shader's floats.
     explicit PotentialSilhouettes(int mantissaBits) : mantissaBits_(mantissaBits) {}
 
     /// Call this first: lights move from frame to frame, never within one. Deletes lists that the
     /// last frames didn't use, those whose records nobody else holds, and all of them if `scene`,
-    /// the identity of the upload, has changed.
-    void beginFrame(const std::shared_ptr<const int>& scene);
+    /// the identity of the upload, has changed. `mostListed`: once lists of so many records have
+    /// been made in this frame, there are no more; for frames that aren't drawn.
+    void beginFrame(const std::shared_ptr<const int>& scene, std::size_t mostListed = unlimited);
 
     /// The list for a light in the batch's space. Batches with the same records share one if they
-    /// see the light from the same position, or a sun from the same direction. The reference is
-    /// valid until the next frame begins. For points of a light `lightInPlane` is that of the last
-    /// request.
-    const SilhouetteList& of(const SilhouetteKey& key, const glm::vec4& light);
+    /// see the light from the same position, or a sun from the same direction. It is valid until
+    /// the next frame begins; null once this frame has made as many as it may. For points of a
+    /// light `lightInPlane` is that of the last request.
+    const SilhouetteList* of(const SilhouetteKey& key, const glm::vec4& light);
 
     std::size_t made() const { return made_; } ///< lists built so far
 
@@ -73,6 +76,7 @@ class PotentialSilhouettes {
     std::shared_ptr<const int> scene_;
     std::size_t frame_ = 0;
     std::size_t made_ = 0;
+    std::size_t mostListed_ = unlimited; ///< records, in this frame
     ListMemory memory_;
     std::vector<std::uint8_t> taken_;                  ///< by cap, for PlaneLanes
     std::map<const PlanePairShadow*, Source> sources_; ///< these keep their keys alive
