@@ -178,6 +178,47 @@ test('lights stay looked up while meshes load, which may move and go meanwhile',
   await shared.check(page);
 });
 
+test('while meshes keep coming, light is looked up where they are there, and the others are counted', async () => {
+  const page = await openThree(shared, 'three', { haste: 5 });
+  const told = await page.evaluate(async () => {
+    const { three, yard, whiten, ExactShadows, cameraOf, frame, redOf, comparedWithRays } = window.page;
+    const { renderer, scene, light, ground, box } = yard({ width: 160, height: 90 });
+    whiten(scene);
+    const camera = cameraOf({ from: [9, 8, 10], to: [0, 0.6, 0], fov: 50 }, 16 / 9);
+    const shadows = new ExactShadows(renderer).add(scene), began = performance.now();
+    const add = (i) => {
+      const mesh = new three.Mesh(new three.BoxGeometry(0.3, 0.2 + 0.01 * (i % 50), 0.3), ground.material);
+      mesh.position.set(0.5 * (i % 12) - 3, 0.4 + 0.3 * Math.floor(i / 144), 0.5 * (Math.floor(i / 12) % 12) - 3);
+      mesh.castShadow = mesh.receiveShadow = true;
+      scene.add(mesh);
+    };
+    box.visible = false;
+    const methods = new Set();
+    let meshes = 0, isSeen = 0;
+    while (performance.now() - began < 60000 && isSeen < 4) {
+      add(meshes++);
+      await frame();
+      shadows.render(scene, camera);
+      const method = shadows.lights[0]?.method;
+      methods.add(method);
+      isSeen += method === 'lookup and movers';
+    }
+    for (let now = performance.now(); shadows.cost.pending > 0 && performance.now() - now < 20000; await frame()) shadows.render(scene, camera);
+    const right = [comparedWithRays(redOf(renderer), renderer, scene, camera, light)], seconds = (performance.now() - began) / 1000;
+    const method = shadows.lights[0].method;
+    for (let now = performance.now(); shadows.lights[0].method !== 'lookup' && performance.now() - now < 60000; await frame()) shadows.render(scene, camera);
+    right.push(comparedWithRays(redOf(renderer), renderer, scene, camera, light));
+    return { wasMasked: methods.has('mask'), meshes, method, last: shadows.lights[0].method, right, seconds };
+  });
+  console.log(told);
+  assert.deepEqual([told.wasMasked, told.method, told.last], [true, 'lookup and movers', 'lookup']);
+  for (const { surfaces, dark, wrong, beyond } of told.right) {
+    assert.ok(surfaces > 1000 && dark > 50, `${surfaces} pixels of surfaces, ${dark} in shadow`);
+    assert.ok(beyond <= 1 && wrong <= 0.05 * surfaces, `${wrong} of ${surfaces} pixels are wrong, ${beyond} of them beyond outlines`);
+  }
+  await shared.check(page);
+});
+
 test('meshes that come frame by frame are merged, too', async () => {
   const page = await openThree(shared);
   const told = await page.evaluate(async () => {

@@ -6,6 +6,13 @@ import { longRestMs } from '../masks/shadow-masks.js';
 /** Milliseconds that a light and the resting casters must rest before a worker builds its map. */
 const restMs = 500;
 
+/**
+ * Milliseconds for which resting casters keep coming, going or starting to move before a light gets a map of those that
+ * are there, and then from one such map to the next: what comes later is counted over it. Until then it waits for a rest,
+ * so that most scenes that load get one map, of all casters.
+ */
+const longestWaitMs = 10_000;
+
 /** The most that moved casters must rest to be in a light's map, after they kept ending it. */
 const longestRestMs = 80_000;
 
@@ -14,9 +21,10 @@ const keyOf = ({ kind, position, direction, radius }, samples) => `${radius > 0 
 
 /**
  * What is known of a light. `current`: its lookup {id, map, state}, or one that says why there is
- * none; `next`: one that is being uploaded, to take its place; `isSoft`: the light has a radius.
+ * none; `next`: one that is being uploaded, to take its place; `begun`: when a map was begun that wasn't given up;
+ * `isSoft`: the light has a radius.
  */
-const entryOf = (key, since, isSoft) => ({ key, since, isSoft, restMs, current: null, next: null, abort: null, problem: '' });
+const entryOf = (key, since, isSoft) => ({ key, since, isSoft, restMs, current: null, next: null, abort: null, begun: -Infinity, problem: '' });
 
 /**
  * Whether a mask is drawn of a light: of all casters, or of those that move over its map, or beside
@@ -34,6 +42,9 @@ export class RestingLights {
   #restingSince = 0;
   #castersSince = 0; // since when all casters have rested
   #loads = false; // whether meshes were pending
+  #changesSince = null; // since when resting casters keep changing; null: they rest
+  #changedAt = 0;
+  #keepsChanging = false;
 
   /**
    * `most`: lights that may be looked up at once. `touched()` is called when the context's state
@@ -79,17 +90,27 @@ export class RestingLights {
     const changed = restingState !== this.#restingState, moved = casterState !== this.#casterState;
     this.#restingState = restingState;
     this.#casterState = casterState;
+    this.#followChanges(changed || !settled, now);
     // Meshes that have been loaded are at rest.
     const since = this.#loads ? now - restMs : now;
     if (moved) this.#castersSince = since;
-    if (!settled) this.#restingSince = now;
+    if (this.#keepsChanging) this.#restingSince = Math.min(this.#restingSince, now - restMs);
+    else if (!settled) this.#restingSince = now;
     else if (changed || this.#loads) this.#restingSince = since;
     this.#loads = !settled;
     for (const entry of this.#entries.values()) {
       if (!changed && !(moved && entry.isSoft)) continue;
-      entry.abort?.abort();
+      if (!this.#keepsChanging || entry.isSoft) entry.abort?.abort();
       entry.problem = '';
     }
+  }
+
+  #followChanges(changes, now) {
+    if (changes) {
+      this.#changesSince ??= now;
+      this.#changedAt = now;
+    } else if (now - this.#changedAt >= restMs) this.#changesSince = null;
+    this.#keepsChanging = this.#changesSince !== null && now - this.#changesSince >= longestWaitMs;
   }
 
   /** Whether a map is being uploaded. */
@@ -135,12 +156,13 @@ export class RestingLights {
   }
 
   /** Why no map is begun of a light now; '': one can be. */
-  #obstacle({ since, current, next, problem, isSoft }, now) {
+  #obstacle({ since, current, next, problem, isSoft, begun }, now) {
     if (this.#most < 1) return 'lookups is 0, or its materials have no texture left for a map';
     if (problem) return problem;
     if (current?.why && !current.state.rested) return current.why;
     if (next) return 'its map is being uploaded';
     if (now - since < restMs) return 'it has moved within half a second';
+    if (this.#keepsChanging && (isSoft || now - begun < longestWaitMs)) return 'casters keep coming, going or starting to move';
     if (now - this.#restingSince < restMs) return 'casters have come, gone or started to move within half a second';
     if (isSoft && now - this.#castersSince < restMs) return 'it has a radius, and casters have moved within half a second';
     if (now - this.cutoutsMoved < restMs) return 'leaves or glass have moved within half a second';
@@ -161,12 +183,15 @@ export class RestingLights {
 
   async #begin(light, numbers, entry) {
     const abort = new AbortController();
-    entry.abort = abort;
+    Object.assign(entry, { abort, begun: performance.now() });
     // Meshes that are cut out or tint must not be left out: masks can't show them as movers.
     const now = performance.now(), rest = entry.isSoft ? 0 : Math.min(entry.restMs, (now - this.cutoutsMoved) / 2), held = { changed: now, moved: now - rest };
     try {
       const id = await this.#masks.buildLookup(numbers, { cutouts: true, tints: true, signal: abort.signal, restMs: rest, lightSamples: this.samples });
-      if (id === null) return;
+      if (id === null) {
+        entry.begun = -Infinity;
+        return;
+      }
       if (this.#entries.get(light) === entry && !abort.signal.aborted) entry.next = { id, held };
       else this.#masks.removeLookup(id);
       this.#touched();
