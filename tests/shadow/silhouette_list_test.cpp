@@ -317,7 +317,7 @@ TEST(PotentialSilhouettes, ListNoMoreThanAFrameMay) {
     EXPECT_GT(silhouettes.of({shadow}, light)->size(), 0u);
     EXPECT_EQ(silhouettes.of({other}, light), nullptr);
     EXPECT_EQ(silhouettes.made(), 1u);
-    silhouettes.beginFrame(nullptr, records + 1);
+    silhouettes.beginFrame(nullptr, 1);
     EXPECT_GT(silhouettes.of({shadow}, light)->size(), 0u);
     EXPECT_GT(silhouettes.of({other}, light)->size(), 0u) << "those that are kept don't count";
     EXPECT_EQ(silhouettes.made(), 2u);
