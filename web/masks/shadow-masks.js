@@ -207,9 +207,7 @@ export class ShadowMasks {
 
   /** Takes one step of upload(). Returns whether all is there. */
   uploadStep(mesh) {
-    const isDone = this.#inContext(() => this.#masks.uploadStep(mesh));
-    this.#require(isDone >= 0);
-    return isDone > 0;
+    return this.#truthOf(this.#inContext(() => this.#masks.uploadStep(mesh)));
   }
 
   release(mesh) {
@@ -284,10 +282,9 @@ export class ShadowMasks {
     // The first call creates no pictures, nor does any after the first masks: the question for errors waits for all pending draws.
     if (this.#preparedFor === needs && !this.#hasDrawn) this.#takeHostError();
     this.#preparedFor = needs;
-    const ready = this.#forDrawing(view, lights, [], (...numbers) => this.#masks.prepareToDraw(...numbers));
-    this.#require(ready >= 0);
-    if (ready > 0) this.#allocatedFor ||= needs;
-    return ready > 0;
+    const isReady = this.#truthOf(this.#forDrawing(view, lights, [], (...numbers) => this.#masks.prepareToDraw(...numbers)));
+    if (isReady) this.#allocatedFor ||= needs;
+    return isReady;
   }
 
   /** Whether prepareToDraw() has made what the meshes that were prepared take: see the declaration. */
@@ -304,9 +301,7 @@ export class ShadowMasks {
 
   /** Takes a step of what draw() of the same takes first: see the declaration. */
   planAhead(view, lights, lookups = []) {
-    const isDone = this.#forDrawing(view, lights, lookups, (...numbers) => this.#masks.planAhead(...numbers));
-    this.#require(isDone >= 0);
-    return isDone > 0;
+    return this.#truthOf(this.#forDrawing(view, lights, lookups, (...numbers) => this.#masks.planAhead(...numbers)));
   }
 
   draw(view, lights, lookups = []) {
@@ -432,6 +427,12 @@ export class ShadowMasks {
   #numberOf(number) {
     this.#require(number >= 0);
     return number;
+  }
+
+  /** `number`: 1, 0, or below if the call failed. */
+  #truthOf(number) {
+    this.#require(number >= 0);
+    return number > 0;
   }
 
   #require(done) {

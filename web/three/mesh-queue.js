@@ -194,8 +194,7 @@ export class MeshQueue {
   /** Yields whether the GL's state has changed. */
   *#upload(entry) {
     while (entry.users > 0 && entry.number >= 0) {
-      const isDone = this.#masks.uploadStep(entry.number);
-      if (isDone) return true;
+      if (this.#masks.uploadStep(entry.number)) return true;
       yield true;
     }
     return false;

@@ -94,8 +94,7 @@ export class RestingLights {
     // Meshes that have been loaded are at rest.
     const since = this.#loads ? now - restMs : now;
     if (moved) this.#castersSince = since;
-    if (this.#keepsChanging) this.#restingSince = Math.min(this.#restingSince, now - restMs);
-    else if (!settled) this.#restingSince = now;
+    if (!settled) this.#restingSince = now;
     else if (changed || this.#loads) this.#restingSince = since;
     this.#loads = !settled;
     for (const entry of this.#entries.values()) {
@@ -162,8 +161,9 @@ export class RestingLights {
     if (current?.why && !current.state.rested) return current.why;
     if (next) return 'its map is being uploaded';
     if (now - since < restMs) return 'it has moved within half a second';
-    if (this.#keepsChanging && (isSoft || now - begun < longestWaitMs)) return 'casters keep coming, going or starting to move';
-    if (now - this.#restingSince < restMs) return 'casters have come, gone or started to move within half a second';
+    if (this.#keepsChanging) {
+      if (isSoft || now - begun < longestWaitMs) return 'casters keep coming, going or starting to move';
+    } else if (now - this.#restingSince < restMs) return 'casters have come, gone or started to move within half a second';
     if (isSoft && now - this.#castersSince < restMs) return 'it has a radius, and casters have moved within half a second';
     if (now - this.cutoutsMoved < restMs) return 'leaves or glass have moved within half a second';
     if (current && !current.state.rested) return 'its map is built';
