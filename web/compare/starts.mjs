@@ -1,8 +1,9 @@
 // How building models start in a page of three.js: tasks above 50 ms, and when all meshes have their
 // shadows, and when the light is looked up, with edgeshade, with three.js's own map, and without
 // shadows, in turns. Each run has a page of its own. Prints JSON. Needs build/web and `npm ci`. With
-// edgeshade it also tells edgeshade's own share of each task, and its longest steps. On Linux it tells the processor time
-// of the page's thread and of each worker, oldest first.
+// edgeshade it also tells edgeshade's own share of each task, and its longest steps, by the clock and by the processor
+// time of the page's thread: a busy machine takes the processor away within steps. On Linux it tells the processor time of
+// that thread and of each worker, oldest first.
 //
 //   node compare/starts.mjs [--turns 3] [--opens] [--draws-nothing] [--only edgeshade] [MODEL...]
 //
@@ -81,14 +82,35 @@ async function measured({ name, method, opens, drawsNothing }) {
   await frame();
   tasks.push(...observer.takeRecords());
   const later = tasks.filter(({ startTime, duration }) => startTime + duration > since);
+  const mine = steps.map((step, index) => ({ ...step, index })).filter(({ at }) => at >= since);
   const ownIn = (from, to) => steps.reduce((sum, { at, ms }) => sum + Math.max(0, Math.min(at + ms, to) - Math.max(at, from)), 0);
-  const longestSteps = steps.filter(({ at }) => at >= since).sort((a, b) => b.ms - a.ms).slice(0, 6)
-    .map(({ what, at, ms }) => `${what} ${Math.round(at - since)}: ${ms.toFixed(1)}`);
   return { renderer: rendererName(), meshes, frames, thereMs, mapAskedMs: map.askedAt && map.askedAt - since,
-    mapCameMs: map.cameAt && map.cameAt - since, lookedUpMs, longestSteps, ownMs: steps.filter(({ at }) => at >= since).reduce((sum, { ms }) => sum + ms, 0),
+    mapCameMs: map.cameAt && map.cameAt - since, lookedUpMs, ownMs: mine.reduce((sum, { ms }) => sum + ms, 0),
+    steps: mine.map(({ at, ...step }) => ({ ...step, at: at - since })),
     tasks: later.map(({ startTime, duration }) => ({ at: Math.round(startTime - since), ms: Math.round(duration),
       own: Math.round(ownIn(startTime, startTime + duration)) })) };
 }
+
+/**
+ * Calls act(), and returns {result, processorMs: of the page's thread in each step of watchSteps(), by index}.
+ */
+async function traced(browser, act) {
+  const session = await browser.newBrowserCDPSession(), events = [];
+  session.on('Tracing.dataCollected', ({ value }) => events.push(...value));
+  await session.send('Tracing.start', { transferMode: 'ReportEvents', traceConfig: { includedCategories: ['blink.user_timing'] } });
+  const result = await act();
+  const ended = new Promise((resolve) => { session.once('Tracing.tracingComplete', resolve); });
+  await session.send('Tracing.end');
+  await ended;
+  await session.detach();
+  const at = new Map(events.map(({ name, tts }) => [name, tts])), processorMs = [];
+  for (let i = 0; at.has(`end ${i}`); ++i) processorMs.push((at.get(`end ${i}`) - at.get(`begin ${i}`)) / 1000);
+  return { result, processorMs };
+}
+
+/** The longest of some steps, for people. */
+const longestOf = (steps, by) => steps.toSorted((a, b) => b[by] - a[by]).slice(0, 6)
+  .map(({ what, at, ...step }) => `${what} ${Math.round(at)}: ${step[by].toFixed(1)}`);
 
 /** Ticks of the processor in a second, as Linux counts them in /proc. */
 const ticksPerSecond = 100;
@@ -127,11 +149,14 @@ try {
         await page.goto(`${server.address}/tests/three.html?three=three`);
         await page.waitForFunction(() => window.page);
         const before = await threadsOf(browser);
-        const { tasks, ...others } = await page.evaluate(measured, { name, method, opens, drawsNothing });
+        const { result: { tasks, steps, ...others }, processorMs } =
+          await traced(browser, () => page.evaluate(measured, { name, method, opens, drawsNothing }));
+        const timed = steps.map((step) => ({ ...step, processorMs: processorMs[step.index] ?? 0 }));
         const processorSeconds = [...await threadsOf(browser)].map(([thread, { name: of, seconds }]) =>
           `${of} ${(seconds - (before.get(thread)?.seconds ?? 0)).toFixed(2)}`);
+        const longestSteps = longestOf(timed, 'ms'), longestByProcessor = longestOf(timed, 'processorMs');
         const durations = tasks.map(({ ms }) => ms);
-        runs.push({ model: name, method, load: loadavg()[0], ...others, processorSeconds, above50: tasks.length, longest: Math.max(0, ...durations),
+        runs.push({ model: name, method, load: loadavg()[0], ...others, longestSteps, longestByProcessor, processorSeconds, above50: tasks.length, longest: Math.max(0, ...durations),
           ownAbove50: tasks.filter(({ own }) => own > 50).length, longestOwn: Math.max(0, ...tasks.map(({ own }) => own)),
           tasks: tasks.map(({ at, ms, own }) => `${at}: ${ms} (${own})`).join(', ') });
         await page.close();

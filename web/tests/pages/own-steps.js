@@ -6,16 +6,24 @@ const mostMicrotasks = 50;
 /**
  * Times all later steps of engines that are created after this call: timers, and answers of workers. Returns
  * {steps, map, follow(shadows)}; `steps`: {at, ms, what} of each, milliseconds; `map`: when the last map was sent to
- * its worker, and when it came; follow() times the masks of frames, too.
+ * its worker, and when it came; follow() times the masks of frames, too. Around steps[N] are the performance
+ * marks `begin N` and `end N`, for traces.
  */
 export function watchSteps() {
   const steps = [], map = { askedAt: null, cameAt: null };
-  const note = (what, at) => steps.push({ what, at, ms: performance.now() - at });
+  const begin = (what) => {
+    performance.mark(`begin ${steps.length}`);
+    return steps.push({ what, at: performance.now(), ms: 0 }) - 1;
+  };
+  const end = (index) => {
+    steps[index].ms = performance.now() - steps[index].at;
+    performance.mark(`end ${index}`);
+  };
   const timed = (what, act) => async function (...given) {
-    const at = performance.now();
+    const index = begin(what);
     act.apply(this, given);
     for (let i = 0; i < mostMicrotasks; ++i) await undefined;
-    note(what, at);
+    end(index);
   };
   const { setTimeout: original } = window;
   window.setTimeout = (act, ...given) => original(typeof act === 'function' ? timed('timer', act) : act, ...given);
@@ -34,11 +42,11 @@ export function watchSteps() {
     for (const name of ['beginMasks', 'endMasks']) {
       const act = shadows[name].bind(shadows);
       shadows[name] = (...given) => {
-        const at = performance.now();
+        const index = begin(name);
         try {
           return act(...given);
         } finally {
-          note(name, at);
+          end(index);
         }
       };
     }
