@@ -468,18 +468,37 @@ bool CasterScene::fillLayers(FrameView& view) {
 }
 
 bool CasterScene::fillLayers(FrameView& view, std::size_t light, const Movers& movers) {
-    while (moverLayers_.size() < view.lights.size())
+    const auto records = recordsOf(movers);
+    const LayerCasters casters{loaded_.scene, records, loaded_.settings.castMasked};
+    return layersOf(light, movers).fillMovers(casters, view.lights[light], view.visible);
+}
+
+bool CasterScene::lookAhead(const FrameView& view, std::size_t light,
+                            const std::optional<Movers>& movers) {
+    const FrameLight& of = view.lights[light];
+    if (!movers) return layers_.lookAhead(loaded_.layerCasters(), of, view.visible);
+    const auto records = recordsOf(*movers);
+    const LayerCasters casters{loaded_.scene, records, loaded_.settings.castMasked};
+    return layersOf(light, *movers).lookAhead(casters, of, view.visible);
+}
+
+KeptLayers& CasterScene::layersOf(std::size_t light, const Movers& movers) {
+    while (moverLayers_.size() <= light)
         moverLayers_.push_back({KeptLayers(chains_)});
     MoverLayers& kept = moverLayers_[light];
     if (kept.counted != movers.counted) {
         kept.layers.clear();
         kept.counted = movers.counted;
     }
+    return kept.layers;
+}
+
+std::vector<std::shared_ptr<const PlanePairShadow>>
+CasterScene::recordsOf(const Movers& movers) const {
     std::vector<std::shared_ptr<const PlanePairShadow>> records(slots_.size());
     for (std::size_t i = 0; i < slots_.size(); ++i)
         if (movers.counted[i]) records[i] = loaded_.planePairs[i];
-    const LayerCasters casters{loaded_.scene, records, loaded_.settings.castMasked};
-    return kept.layers.fillMovers(casters, view.lights[light], view.visible);
+    return records;
 }
 
 const Box& CasterScene::bounds() {
@@ -493,10 +512,20 @@ const Box& CasterScene::bounds() {
     return *bounds_;
 }
 
-bool CasterScene::measure() {
-    if (bounds_) return false;
-    bounds();
-    return true;
+bool CasterScene::prepareStep() {
+    if (!treeIsCurrent_) {
+        tree();
+        return true;
+    }
+    if (upload()) return true;
+    std::size_t measured = 0;
+    for (std::size_t i = 0; i < slots_.size(); ++i) {
+        if (slots_[i].inWorld) continue;
+        if (measured >= mostMeasured) return true;
+        measured += loaded_.scene.batches[i].geometry->positions.size();
+        slots_[i].inWorld = worldBounds(loaded_.scene.batches[i]);
+    }
+    return measured > 0;
 }
 
 const SceneTree& CasterScene::tree() {

@@ -49,6 +49,8 @@ class CasterScene {
     bool uploadStep(const PreparedMesh& mesh);
     /// Uploads all meshes that are missing on the GPU, each mesh once. Returns whether any were.
     bool upload();
+    /// Takes a step of what tree(), upload() and bounds() take. Returns whether any was left.
+    bool prepareStep();
     /// Fills in the layers of the view's lights, except those that count movers alone. Returns
     /// whether any weren't known yet.
     bool fillLayers(FrameView& view);
@@ -81,14 +83,15 @@ class CasterScene {
     /// Fills in the layers of one of the view's lights that counts movers alone. Returns whether
     /// they weren't known yet.
     bool fillLayers(FrameView& view, std::size_t light, const Movers& movers);
+    /// Takes a step of what fillLayers() takes for one of the view's lights; `movers`: that it
+    /// counts alone, if any. Returns whether no step is left but that call.
+    bool lookAhead(const FrameView& view, std::size_t light, const std::optional<Movers>& movers);
     /// Makes these the animated batches.
     void animate(const Movers& movers);
 
     const LoadedScene& loaded() const { return loaded_; }
     GpuScene& gpu() { return *gpu_; }
     const Box& bounds();
-    /// Finds bounds(). Returns whether they weren't known.
-    bool measure();
     const SceneTree& tree();
     /// Number of batches that have triangles: single and merged meshes.
     std::size_t drawnBatches() const;
@@ -135,8 +138,9 @@ class CasterScene {
         KeptLayers layers;
         std::vector<char> counted{};
     };
-    static constexpr std::size_t shortRest = 30, longRest = 3000;   // draws
-    static constexpr std::size_t mostMerged = std::size_t{1} << 20; // triangles
+    static constexpr std::size_t shortRest = 30, longRest = 3000;     // draws
+    static constexpr std::size_t mostMerged = std::size_t{1} << 20;   // triangles
+    static constexpr std::size_t mostMeasured = std::size_t{1} << 16; // vertices
 
     std::shared_ptr<std::vector<SurfaceChunk>> surfacesOf(const PreparedMesh::Data& mesh) const;
     std::shared_ptr<PlanePairBuffers> volumesOf(const PreparedMesh::Data& mesh) const;
@@ -161,6 +165,10 @@ class CasterScene {
     /// Draws a merged mesh in place of its members.
     void showMerged(const std::vector<std::size_t>& members, const MergedMesh& merged);
     AlphaLookup lookupOf(const MaskAlpha& alpha) const;
+    /// Layers of a light that counts movers alone.
+    KeptLayers& layersOf(std::size_t light, const Movers& movers);
+    /// By batch.
+    std::vector<std::shared_ptr<const PlanePairShadow>> recordsOf(const Movers& movers) const;
     void changed();
     /// Notes that a caster comes, goes or changes: maps of it end. `moves`: it is a mover for a
     /// while, which the next maps don't hold.

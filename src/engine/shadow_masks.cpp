@@ -111,7 +111,6 @@ struct MaskPlan {
     FrameView view{};
     std::vector<std::optional<CasterScene::Movers>> movers{}; ///< empty: all casters
     std::vector<PixelRectangle> parts{};                      ///< beyond them masks are 1
-    bool isNew = false; ///< whether layers had to be bounded that are known from now on
 };
 
 /// Everything needed to draw; created and destroyed with the host's state kept.
@@ -132,6 +131,9 @@ struct MaskDrawing {
                    std::span<const ShadowMasks::LookupId> of);
     MaskPlan plan(const MaskView& view, const std::vector<Light>& lights,
                   std::span<const ShadowMasks::LookupId> of);
+    /// Fills in the layers of a plan's lights. Returns whether any had to be found that are known
+    /// from now on.
+    bool fillLayers(MaskPlan& plan);
     /// `view`: perhaps a part of it, beyond which the light's mask is 1.
     void drawLight(const FrameView& view, std::size_t light);
     /// Makes a light's mask 1.
@@ -237,17 +239,23 @@ MaskPlan MaskDrawing::plan(const MaskView& of, const std::vector<Light>& lights,
         made.parts.push_back(movers ? shadowReach(view, movers->bounds, view.lights[i].light)
                                     : PixelRectangle{0, 0, of.width, of.height});
     }
-    made.isNew = casters.fillLayers(view);
-    for (std::size_t i = 0; i < lights.size(); ++i)
-        if (made.movers[i]) made.isNew = casters.fillLayers(view, i, *made.movers[i]) || made.isNew;
     return made;
+}
+
+bool MaskDrawing::fillLayers(MaskPlan& of) {
+    bool isNew = casters.fillLayers(of.view);
+    for (std::size_t i = 0; i < of.movers.size(); ++i)
+        if (of.movers[i]) isNew = casters.fillLayers(of.view, i, *of.movers[i]) || isNew;
+    return isNew;
 }
 
 bool MaskDrawing::planAhead(const MaskView& of, const std::vector<Light>& lights,
                             std::span<const ShadowMasks::LookupId> ids) {
-    if (casters.upload() || casters.measure()) return false;
+    if (casters.prepareStep()) return false;
     MaskPlan planned = plan(of, lights, ids);
-    if (planned.isNew) return false;
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        if (!casters.lookAhead(planned.view, i, planned.movers[i])) return false;
+    if (fillLayers(planned)) return false;
     for (std::size_t i = 0; i < lights.size(); ++i) {
         if (!planned.view.lights[i].points.empty() || planned.parts[i].empty()) continue;
         if (planned.movers[i]) casters.animate(*planned.movers[i]);
@@ -265,6 +273,7 @@ void MaskDrawing::draw(const MaskView& of, const std::vector<Light>& lights,
     casters.mergeResting();
     casters.upload();
     MaskPlan planned = plan(of, lights, ids);
+    fillLayers(planned);
     FrameView& view = planned.view;
     fit(of.width, of.height, lights.size());
     vertexRuns = 0;

@@ -104,10 +104,10 @@ TEST(ShadowMasks, PlannedAheadAreTheSame) {
         return steps;
     };
     masks.add(meshOf(geometryOf(ground)));
-    EXPECT_EQ(stepsOf(), 6u) << "uploads, bounds, layers, lists for each light, and their upload";
+    EXPECT_EQ(stepsOf(), 7u) << "tree, uploads, bounds, layers, two lists, and their upload";
     EXPECT_EQ(stepsOf(), 1u);
     masks.add(meshOf(geometryOf(box)), numbersOf(left));
-    EXPECT_EQ(stepsOf(), 6u);
+    EXPECT_EQ(stepsOf(), 7u);
     masks.draw(view, asked);
     EXPECT_EQ(readMask(masks, 0), first.mask);
     EXPECT_EQ(readMask(masks, 1), second.mask);
@@ -146,7 +146,8 @@ TEST(ShadowMasks, ListsOfLargeMeshesArePlannedInStepsOfTheirOwn) {
     std::size_t steps = 1;
     while (!masks.planAhead(viewOf(corner), {&light, 1}) && steps < 20)
         ++steps;
-    EXPECT_EQ(steps, 7u) << "uploads, bounds, layers, lists of three places, and their upload";
+    EXPECT_EQ(steps, 11u)
+        << "tree, uploads, bounds, layers, lists of three places, and their upload";
     masks.draw(viewOf(corner), {&light, 1});
     EXPECT_EQ(readMask(masks, 0), expected);
 }

@@ -73,6 +73,20 @@ Scene sheets(int count) {
     return builder.scene();
 }
 
+Batch smallBox() {
+    return SceneBuilder().box({0, 3, 0}, {1, 4, 1}).scene().batches.front();
+}
+
+/// Boxes beside sheets, where a high sun shadows nothing, and below them.
+std::pair<Box, Box> besideAndBelow() {
+    Box beside, below;
+    beside.add(glm::dvec3(50.0, -1.0, 0.0));
+    beside.add(glm::dvec3(51.0, 0.0, 1.0));
+    below.add(glm::dvec3(0.0, -2.0, -0.5));
+    below.add(glm::dvec3(2.0, -1.0, 0.5));
+    return {beside, below};
+}
+
 /// Meshes of every kind.
 Soup anyMesh(Random& random) {
     const auto size = static_cast<std::size_t>(40 + random.below(160));
@@ -271,15 +285,53 @@ TEST(LayerSearch, LeavesOutPlacesThatShadowNoReceiver) {
     EXPECT_EQ(*nothing, 0u);
 }
 
+TEST(LayerSearch, TakesStepsAheadWhichChangeNoBound) {
+    const Soup hills = test::hillyGrid(50'000);
+    Scene scene = sceneOf(hills);
+    for (const double x : {200.0, 400.0})
+        scene.batches.push_back(
+            batchOf(hills, glm::translate(glm::dmat4(1.0), glm::dvec3(x, 0, 0))));
+    scene.batches.push_back(smallBox());
+    const auto records = buildPlanePairs(scene, false);
+    ASSERT_GT(3 * records[0]->caps.size(), std::size_t{1} << 17) << "two steps of looks";
+    const LayerCasters casters{scene, records};
+    for (const Light& light : {test::sun({0.3, 0.4, 0.2}), test::pointLight({150, 40, 90})}) {
+        LayerSearch search;
+        int steps = 0;
+        while (!search.lookAhead(casters, light, 255) && steps < 20)
+            ++steps;
+        EXPECT_EQ(steps, 3) << "a first search, and two looks";
+        EXPECT_EQ(search.bySilhouettes(casters, light, 255),
+                  LayerSearch().bySilhouettes(casters, light, 255));
+        EXPECT_TRUE(search.lookAhead(casters, light, 255)) << "all of it is kept";
+    }
+    EXPECT_TRUE(LayerSearch().lookAhead(casters, test::sun({0, 1, 0}), scene.triangleCount()))
+        << "no search is needed";
+}
+
+TEST(KeptLayers, TakeStepsAheadOnlyForBoundsThatAreNotKnown) {
+    Scene scene = sheets(200);
+    scene.batches.push_back(smallBox());
+    const auto records = buildPlanePairs(scene, false);
+    const LayerCasters casters{scene, records};
+    const auto [beside, below] = besideAndBelow();
+    std::vector<FrameLight> lights(1);
+    lights[0].light = test::sun({0.01, 1, 0.02});
+    KeptLayers layers, hidden;
+    EXPECT_FALSE(layers.lookAhead(casters, lights[0], beside)) << "a first search";
+    layers.fill(casters, lights, beside);
+    EXPECT_TRUE(layers.lookAhead(casters, lights[0], beside));
+    EXPECT_FALSE(layers.lookAhead(casters, lights[0], below)) << "a first look";
+    EXPECT_TRUE(layers.lookAhead(casters, lights[0], below));
+    lights[0].drawn = false;
+    EXPECT_TRUE(hidden.lookAhead(casters, lights[0], below));
+}
+
 TEST(KeptLayers, OfALightAtRestHoldWhereverTheEyeLooks) {
     const Scene scene = sheets(200);
     const auto records = buildPlanePairs(scene, false);
     const LayerCasters casters{scene, records};
-    Box beside, below;
-    beside.add(glm::dvec3(50.0, -1.0, 0.0));
-    beside.add(glm::dvec3(51.0, 0.0, 1.0));
-    below.add(glm::dvec3(0.0, -2.0, -0.5));
-    below.add(glm::dvec3(2.0, -1.0, 0.5));
+    const auto [beside, below] = besideAndBelow();
     std::vector<FrameLight> lights(1);
     lights[0].light = test::sun({0.01, 1, 0.02});
     KeptLayers layers;
@@ -298,9 +350,7 @@ TEST(KeptLayers, OfMoversAreKeptToo) {
     const Scene scene = sheets(200);
     const auto records = buildPlanePairs(scene, false);
     const LayerCasters casters{scene, records};
-    Box below;
-    below.add(glm::dvec3(0.0, -2.0, -0.5));
-    below.add(glm::dvec3(2.0, -1.0, 0.5));
+    const Box below = besideAndBelow().second;
     FrameLight light;
     light.light = test::sun({0.01, 1, 0.02});
     light.animatedAlone = true;

@@ -20,7 +20,7 @@ const mostInFrame = 2000, mostInFrames = 16000;
 const fewNew = 200, stepMilliseconds = 8;
 
 /** Steps after which masks are drawn though they aren't all planned: a light that keeps moving takes new plans. */
-const mostPlanSteps = 16;
+const mostPlanSteps = 32;
 
 /** A plane that clips everything. */
 const nothingStays = [0, 0, 0, -1];

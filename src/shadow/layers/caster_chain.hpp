@@ -51,6 +51,7 @@ struct FollowedChain {
     FollowedCasters casters;
     FollowedEdges pairs, singles;
 
+    bool isNew() const { return casters.facings.look == 0; }
     /// Facings, one per cap (CasterFacings).
     const std::vector<std::int8_t>& facings() const { return casters.facings.facings; }
 };

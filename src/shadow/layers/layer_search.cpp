@@ -18,6 +18,23 @@ void fillReach(const Light& light, const std::vector<glm::dvec4>& planes,
         reach.planes.push_back(plane * worldFromBatch);
 }
 
+bool casts(const LayerCasters& casters, std::size_t batch) {
+    return !casters.scene.batches[batch].hidden && casters.records[batch] &&
+           !casters.records[batch]->caps.empty();
+}
+
+/// The records of the smallest caster, and null in place of all others.
+std::vector<std::shared_ptr<const PlanePairShadow>> smallestOf(const LayerCasters& casters) {
+    std::vector<std::shared_ptr<const PlanePairShadow>> alone(casters.records.size());
+    std::optional<std::size_t> least;
+    for (std::size_t i = 0; i < casters.records.size(); ++i)
+        if (casts(casters, i) &&
+            (!least || casters.records[i]->caps.size() < casters.records[*least]->caps.size()))
+            least = i;
+    if (least) alone[*least] = casters.records[*least];
+    return alone;
+}
+
 } // namespace
 
 const std::shared_ptr<const CasterChain>&
@@ -48,17 +65,12 @@ LayerBound LayerSearch::bound(const LayerCasters& casters, std::span<const Light
 std::optional<std::size_t> LayerSearch::bySilhouettes(const LayerCasters& casters,
                                                       const Light& light, std::size_t limit,
                                                       const Box& receivers) {
+    hasSearched_ = true;
     chains_->forgetReleased();
     const LightView view(light);
-    faces_.resize(view.faces.size());
-    for (FaceChain& face : faces_)
-        face.clear();
-    const std::span<LitBatch> batches = findLit(view, casters, light, receivers);
-    if (view.directional) enterFrame(batches, faces_[0]);
-    for (const LitBatch& of : batches) {
-        of.chain->look(of.light, of.reach, *of.followed, seen_);
-        drawChain(view, of.rays, *of.chain, seen_, faces_);
-    }
+    const std::span<LitBatch> batches = beginFaces(view, casters, light, receivers);
+    for (const LitBatch& of : batches)
+        lookAndDraw(view, of);
     bound_.begin(limit);
     for (std::size_t face = 0; face < faces_.size(); ++face) {
         if (!view.directional) settle(faces_[face]);
@@ -72,6 +84,43 @@ std::optional<std::size_t> LayerSearch::bySilhouettes(const LayerCasters& caster
     return static_cast<std::size_t>(bound_.most());
 }
 
+bool LayerSearch::lookAhead(const LayerCasters& casters, const Light& light, std::size_t limit,
+                            const Box& receivers) {
+    if (casters.scene.triangleCount() <= limit) return true;
+    if (!hasSearched_) {
+        // Browsers compile a function when it is first called: here, and for few casters.
+        const auto few = smallestOf(casters);
+        static_cast<void>(bySilhouettes({casters.scene, few}, light, 1));
+        return false;
+    }
+    chains_->forgetReleased();
+    const LightView view(light);
+    std::size_t looked = 0;
+    for (const LitBatch& of : beginFaces(view, casters, light, receivers)) {
+        if (!of.followed->isNew()) continue;
+        if (looked >= mostAhead) return false;
+        lookAndDraw(view, of);
+        looked += of.chain->shadow().caps.size();
+    }
+    return looked == 0;
+}
+
+std::span<LayerSearch::LitBatch> LayerSearch::beginFaces(const LightView& view,
+                                                         const LayerCasters& casters,
+                                                         const Light& light, const Box& receivers) {
+    faces_.resize(view.faces.size());
+    for (FaceChain& face : faces_)
+        face.clear();
+    const std::span<LitBatch> batches = findLit(view, casters, light, receivers);
+    if (view.directional) enterFrame(batches, faces_[0]);
+    return batches;
+}
+
+void LayerSearch::lookAndDraw(const LightView& view, const LitBatch& of) {
+    of.chain->look(of.light, of.reach, *of.followed, seen_);
+    drawChain(view, of.rays, *of.chain, seen_, faces_);
+}
+
 std::span<LayerSearch::LitBatch> LayerSearch::findLit(const LightView& view,
                                                       const LayerCasters& casters,
                                                       const Light& light, const Box& receivers) {
@@ -80,7 +129,7 @@ std::span<LayerSearch::LitBatch> LayerSearch::findLit(const LightView& view,
     std::size_t count = 0;
     for (std::size_t i = 0; i < followed_.size(); ++i) {
         const Batch& batch = casters.scene.batches[i];
-        if (batch.hidden || !casters.records[i] || casters.records[i]->caps.empty()) {
+        if (!casts(casters, i)) {
             if (followed_[i].chain) followed_[i] = {};
             continue;
         }

@@ -54,7 +54,16 @@ class LayerSearch {
     std::optional<std::size_t> bySilhouettes(const LayerCasters& casters, const Light& light,
                                              std::size_t limit, const Box& receivers = {});
 
+    /// Takes a step of what bound() of the same takes, so that none takes long: a search for the
+    /// smallest caster if there was none yet, or a first look at some more of the casters. Returns
+    /// whether no such step was left.
+    bool lookAhead(const LayerCasters& casters, const Light& light, std::size_t limit,
+                   const Box& receivers = {});
+
   private:
+    /// Triangles of a step of looks, which takes some 10 ms in a page that has just loaded.
+    static constexpr std::size_t mostAhead = std::size_t{1} << 16;
+
     /// Keeps what the last light found on its way.
     struct Followed {
         std::shared_ptr<const CasterChain> chain; ///< its records may be gone
@@ -69,6 +78,11 @@ class LayerSearch {
         RaysOfBatch rays{};
         glm::dmat3 batchFromWorld{1.0}; ///< of directions
     };
+    /// Empties the light's faces. Returns the batches that it may see, in lit_, until the next
+    /// call.
+    std::span<LitBatch> beginFaces(const LightView& view, const LayerCasters& casters,
+                                   const Light& light, const Box& receivers);
+    void lookAndDraw(const LightView& view, const LitBatch& batch);
     /// In lit_, until the next call.
     std::span<LitBatch> findLit(const LightView& view, const LayerCasters& casters,
                                 const Light& light, const Box& receivers);
@@ -79,6 +93,7 @@ class LayerSearch {
     int countAlong(const glm::dvec3& direction, std::span<const LitBatch> batches);
 
     std::shared_ptr<KeptChains> chains_;
+    bool hasSearched_ = false;
     std::vector<Followed> followed_; ///< by batch
     // Memory that searches reuse.
     std::vector<glm::dvec4> planes_; ///< findPlanesBetween()

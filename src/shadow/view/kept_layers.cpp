@@ -26,11 +26,24 @@ bool KeptLayers::fillMovers(const LayerCasters& casters, FrameLight& light, cons
     return !known;
 }
 
-bool KeptLayers::fillOne(const LayerCasters& casters, FrameLight& of, const Box& visible) {
-    const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& known) {
-        return known.light == of.light.position && known.range == of.light.range &&
-               known.extent == of.light.extent && known.points == of.points.size();
+bool KeptLayers::lookAhead(const LayerCasters& casters, const FrameLight& light,
+                           const Box& visible) {
+    const auto found = keptOf(light);
+    const bool rests = found != kept_.end();
+    if (!light.shadowed || (rests ? found->holdsFor(visible) : !light.drawn)) return true;
+    return search_.lookAhead(casters, light.counted().front(), stencilLimit,
+                             rests ? Box() : visible);
+}
+
+auto KeptLayers::keptOf(const FrameLight& light) const -> std::vector<Kept>::const_iterator {
+    return std::find_if(kept_.begin(), kept_.end(), [&](const Kept& known) {
+        return known.light == light.light.position && known.range == light.light.range &&
+               known.extent == light.light.extent && known.points == light.points.size();
     });
+}
+
+bool KeptLayers::fillOne(const LayerCasters& casters, FrameLight& of, const Box& visible) {
+    const auto found = keptOf(of);
     const bool rests = found != kept_.end();
     if (!of.drawn && !rests) return true; // not needed until it is drawn
     if (rests && found->holdsFor(visible)) {

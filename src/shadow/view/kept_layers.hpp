@@ -21,6 +21,10 @@ class KeptLayers {
     /// The same for a light whose other casters a host looks up: `casters` are those that count.
     bool fillMovers(const LayerCasters& casters, FrameLight& light, const Box& visible);
 
+    /// Takes a step of what fill() or fillMovers() of the same takes for a light. Returns whether
+    /// no step is left but that call.
+    bool lookAhead(const LayerCasters& casters, const FrameLight& light, const Box& visible);
+
     void clear() { kept_.clear(); }
 
   private:
@@ -35,6 +39,8 @@ class KeptLayers {
         bool holdsFor(const Box& visible) const;
     };
 
+    /// The bound of a light that has not moved; the end if there is none.
+    std::vector<Kept>::const_iterator keptOf(const FrameLight& light) const;
     /// Whether a light's bound was known. Puts it into next_.
     bool fillOne(const LayerCasters& casters, FrameLight& light, const Box& visible);
 
