@@ -18,7 +18,7 @@ VolumeTintPass::VolumeTintPass(const RenderSettings& settings, const gl::Capabil
 
 void VolumeTintPass::draw(GpuScene& scene, const FrameView& view, const FramePlan& plan,
                           std::size_t light) {
-    volumes_->beginFrame(scene, std::numeric_limits<std::size_t>::max());
+    volumes_->beginFrame(scene, PotentialSilhouettes::unlimited);
     glViewport(0, 0, view.width, view.height);
     glDisable(GL_CULL_FACE);
     glEnable(GL_DEPTH_TEST);

@@ -21,7 +21,7 @@ struct FrameStart {
     /// Draws the nearness of visible geometry, see Renderer::drawNearness().
     std::function<void(const FrameView&)> drawNearness;
     /// As of PotentialSilhouettes::beginFrame().
-    std::size_t mostListed = std::numeric_limits<std::size_t>::max();
+    std::size_t mostListed = PotentialSilhouettes::unlimited;
 };
 
 /// A stencil to mark, and where.
