@@ -504,12 +504,15 @@ CasterScene::recordsOf(const Movers& movers) const {
 const Box& CasterScene::bounds() {
     if (bounds_) return *bounds_;
     bounds_.emplace();
-    for (std::size_t i = 0; i < slots_.size(); ++i) {
-        std::optional<Box>& box = slots_[i].inWorld;
-        if (!box) box = worldBounds(loaded_.scene.batches[i]);
-        bounds_->add(*box);
-    }
+    for (std::size_t i = 0; i < slots_.size(); ++i)
+        bounds_->add(drawnBox(i));
     return *bounds_;
+}
+
+const Box& CasterScene::drawnBox(std::size_t batch) {
+    std::optional<Box>& box = slots_[batch].inWorld;
+    if (!box) box = worldBounds(loaded_.scene.batches[batch]);
+    return *box;
 }
 
 bool CasterScene::prepareStep() {
@@ -523,7 +526,7 @@ bool CasterScene::prepareStep() {
         if (slots_[i].inWorld) continue;
         if (measured >= mostMeasured) return true;
         measured += loaded_.scene.batches[i].geometry->positions.size();
-        slots_[i].inWorld = worldBounds(loaded_.scene.batches[i]);
+        drawnBox(i);
     }
     return measured > 0;
 }

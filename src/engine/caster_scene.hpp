@@ -174,6 +174,8 @@ class CasterScene {
     /// while, which the next maps don't hold.
     void casterChanged(std::size_t batch, bool moves = true);
     const Box& worldBox(std::size_t batch) const;
+    /// A box around the batch's vertices in the world.
+    const Box& drawnBox(std::size_t batch);
     bool isCaster(std::size_t batch) const {
         return slots_[batch].use == Slot::Use::mesh && slots_[batch].casts();
     }

@@ -91,9 +91,7 @@ async function measured({ name, method, opens, drawsNothing }) {
       own: Math.round(ownIn(startTime, startTime + duration)) })) };
 }
 
-/**
- * Calls act(), and returns {result, processorMs: of the page's thread in each step of watchSteps(), by index}.
- */
+/** Calls act(), and returns {result, processorMs: of the page's thread in each step of watchSteps(), by index}. */
 async function traced(browser, act) {
   const session = await browser.newBrowserCDPSession(), events = [];
   session.on('Tracing.dataCollected', ({ value }) => events.push(...value));
@@ -110,7 +108,7 @@ async function traced(browser, act) {
 
 /** The longest of some steps, for people. */
 const longestOf = (steps, by) => steps.toSorted((a, b) => b[by] - a[by]).slice(0, 6)
-  .map(({ what, at, ...step }) => `${what} ${Math.round(at)}: ${step[by].toFixed(1)}`);
+  .map((step) => `${step.what} ${Math.round(step.at)}: ${step[by].toFixed(1)}`);
 
 /** Ticks of the processor in a second, as Linux counts them in /proc. */
 const ticksPerSecond = 100;

@@ -65,7 +65,6 @@ LayerBound LayerSearch::bound(const LayerCasters& casters, std::span<const Light
 std::optional<std::size_t> LayerSearch::bySilhouettes(const LayerCasters& casters,
                                                       const Light& light, std::size_t limit,
                                                       const Box& receivers) {
-    hasSearched_ = true;
     chains_->forgetReleased();
     const LightView view(light);
     const std::span<LitBatch> batches = beginFaces(view, casters, light, receivers);
@@ -87,7 +86,7 @@ std::optional<std::size_t> LayerSearch::bySilhouettes(const LayerCasters& caster
 bool LayerSearch::lookAhead(const LayerCasters& casters, const Light& light, std::size_t limit,
                             const Box& receivers) {
     if (casters.scene.triangleCount() <= limit) return true;
-    if (!hasSearched_) {
+    if (followed_.empty()) {
         // Browsers compile a function when it is first called: here, and for few casters.
         const auto few = smallestOf(casters);
         static_cast<void>(bySilhouettes({casters.scene, few}, light, 1));

@@ -93,8 +93,7 @@ class LayerSearch {
     int countAlong(const glm::dvec3& direction, std::span<const LitBatch> batches);
 
     std::shared_ptr<KeptChains> chains_;
-    bool hasSearched_ = false;
-    std::vector<Followed> followed_; ///< by batch
+    std::vector<Followed> followed_; ///< by batch; empty until the first search
     // Memory that searches reuse.
     std::vector<glm::dvec4> planes_; ///< findPlanesBetween()
     std::vector<LitBatch> lit_;

@@ -28,11 +28,17 @@ bool KeptLayers::fillMovers(const LayerCasters& casters, FrameLight& light, cons
 
 bool KeptLayers::lookAhead(const LayerCasters& casters, const FrameLight& light,
                            const Box& visible) {
-    const auto found = keptOf(light);
-    const bool rests = found != kept_.end();
-    if (!light.shadowed || (rests ? found->holdsFor(visible) : !light.drawn)) return true;
-    return search_.lookAhead(casters, light.counted().front(), stencilLimit,
-                             rests ? Box() : visible);
+    const std::optional<Box> receivers = unknownFor(light, keptOf(light), visible);
+    if (!light.shadowed || !receivers) return true;
+    return search_.lookAhead(casters, light.counted().front(), stencilLimit, *receivers);
+}
+
+std::optional<Box> KeptLayers::unknownFor(const FrameLight& light,
+                                          std::vector<Kept>::const_iterator found,
+                                          const Box& visible) const {
+    if (found != kept_.end()) return found->holdsFor(visible) ? std::nullopt : std::optional(Box());
+    // Not needed until it is drawn.
+    return light.drawn ? std::optional(visible) : std::nullopt;
 }
 
 auto KeptLayers::keptOf(const FrameLight& light) const -> std::vector<Kept>::const_iterator {
@@ -44,17 +50,16 @@ auto KeptLayers::keptOf(const FrameLight& light) const -> std::vector<Kept>::con
 
 bool KeptLayers::fillOne(const LayerCasters& casters, FrameLight& of, const Box& visible) {
     const auto found = keptOf(of);
-    const bool rests = found != kept_.end();
-    if (!of.drawn && !rests) return true; // not needed until it is drawn
-    if (rests && found->holdsFor(visible)) {
+    const std::optional<Box> receivers = unknownFor(of, found, visible);
+    if (!receivers) {
+        if (found == kept_.end()) return true;
         of.layers = found->layers;
         next_.push_back(*found);
         return true;
     }
-    const Box receivers = rests ? Box() : visible;
-    of.layers = search_.bound(casters, of.counted(), stencilLimit, receivers);
+    of.layers = search_.bound(casters, of.counted(), stencilLimit, *receivers);
     next_.push_back({of.light.position, of.light.range, of.light.extent, of.points.size(),
-                     receivers, of.layers});
+                     *receivers, of.layers});
     return false;
 }
 

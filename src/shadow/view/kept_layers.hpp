@@ -41,6 +41,10 @@ class KeptLayers {
 
     /// The bound of a light that has not moved; the end if there is none.
     std::vector<Kept>::const_iterator keptOf(const FrameLight& light) const;
+    /// The receivers for which a light's bound has to be found; null if it needn't be. `found`: its
+    /// keptOf().
+    std::optional<Box> unknownFor(const FrameLight& light, std::vector<Kept>::const_iterator found,
+                                  const Box& visible) const;
     /// Whether a light's bound was known. Puts it into next_.
     bool fillOne(const LayerCasters& casters, FrameLight& light, const Box& visible);
 
