@@ -5,7 +5,7 @@
 #include "tests/cli/bad_input.hpp"
 #include "tests/cli/documented.hpp"
 #include "tests/cli/message.hpp"
-#include "tests/support/child_process.hpp"
+#include "tests/support/run_edgeshade.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // Outputs that can't be written: status 4, one sentence that names the file, nothing half written.
 #include "tests/cli/message.hpp"
 #include "tests/support/gltf_builder.hpp"
+#include "tests/support/run_edgeshade.hpp"
 #include "tests/support/temp_folder.hpp"
 
 #include <array>

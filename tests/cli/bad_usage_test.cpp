@@ -1,6 +1,7 @@
 // Wrong usage: status 1, a message that names the option and the value, nothing written.
 #include "tests/cli/message.hpp"
 #include "tests/support/gltf_builder.hpp"
+#include "tests/support/run_edgeshade.hpp"
 #include "tests/support/temp_folder.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // The JSON reports of `bench`.
-#include "tests/support/child_process.hpp"
 #include "tests/support/packing.hpp"
+#include "tests/support/run_edgeshade.hpp"
 #include "tests/support/temp_folder.hpp"
 
 #include <gtest/gtest.h>

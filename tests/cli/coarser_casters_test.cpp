@@ -1,7 +1,7 @@
 // Settings with different casters than the call's: the same as if they were the call's own, while
 // the oracle still uses the surfaces.
-#include "tests/support/child_process.hpp"
 #include "tests/support/packing.hpp"
+#include "tests/support/run_edgeshade.hpp"
 #include "tests/support/temp_folder.hpp"
 
 #include <gtest/gtest.h>

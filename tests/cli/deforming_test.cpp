@@ -1,7 +1,7 @@
 // Moving skins and morph targets, against rays: render, compare and bench at a time of an
 // animation.
-#include "tests/support/child_process.hpp"
 #include "tests/support/moving_scenes.hpp"
+#include "tests/support/run_edgeshade.hpp"
 #include "tests/support/temp_folder.hpp"
 
 #include <gtest/gtest.h>

@@ -3,10 +3,10 @@
 #include "preprocess/gltf/extensions.hpp"
 #include "tests/cli/documented.hpp"
 #include "tests/cli/message.hpp"
-#include "tests/support/child_process.hpp"
 #include "tests/support/draco_encoding.hpp"
 #include "tests/support/meshopt_encoding.hpp"
 #include "tests/support/packing.hpp"
+#include "tests/support/run_edgeshade.hpp"
 #include "tests/support/temp_folder.hpp"
 #include "tests/support/webp_encoding.hpp"
 

@@ -1,8 +1,8 @@
 // Lights with an extent, and smooth pictures, in the program: the contents of reports, and
 // refusals.
 #include "src/image/decode.hpp"
-#include "tests/support/child_process.hpp"
 #include "tests/support/gltf_builder.hpp"
+#include "tests/support/run_edgeshade.hpp"
 #include "tests/support/temp_folder.hpp"
 
 #include <cmath>

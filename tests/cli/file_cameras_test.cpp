@@ -1,6 +1,6 @@
 // --camera: the file's cameras in render, compare, bench and info.
-#include "tests/support/child_process.hpp"
 #include "tests/support/gltf_builder.hpp"
+#include "tests/support/run_edgeshade.hpp"
 #include "tests/support/temp_folder.hpp"
 
 #include <cmath>

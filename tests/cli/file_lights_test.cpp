@@ -1,7 +1,7 @@
 // Lights of the file and from the command line: --lights, --light and --sun with colours and
 // intensities.
-#include "tests/support/child_process.hpp"
 #include "tests/support/gltf_builder.hpp"
+#include "tests/support/run_edgeshade.hpp"
 #include "tests/support/temp_folder.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 #include "edgeshade/version.hpp"
-#include "tests/support/child_process.hpp"
+#include "tests/support/run_edgeshade.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 
 #include "src/image/png.hpp"
 #include "tests/cli/documented.hpp"
-#include "tests/support/child_process.hpp"
+#include "tests/support/run_edgeshade.hpp"
 #include "tests/support/webp_encoding.hpp"
 
 #include <gtest/gtest.h>

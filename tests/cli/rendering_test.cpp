@@ -1,7 +1,7 @@
 // `render`: pictures as the options request them, and the same picture for every path of the data.
 #include "src/image/decode.hpp"
-#include "tests/support/child_process.hpp"
 #include "tests/support/gltf_builder.hpp"
+#include "tests/support/run_edgeshade.hpp"
 #include "tests/support/temp_folder.hpp"
 
 #include <algorithm>

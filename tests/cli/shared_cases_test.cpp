@@ -1,6 +1,7 @@
 // Files of ../shared/cases that once gave wrong results; the expected results come from others.
 #include "tests/cli/message.hpp"
 #include "tests/support/gltf_builder.hpp"
+#include "tests/support/run_edgeshade.hpp"
 #include "tests/support/temp_folder.hpp"
 
 #include <cmath>

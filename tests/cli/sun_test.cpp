@@ -1,7 +1,7 @@
 // The sun by --place, --time-of-day and --north.
 #include "src/image/decode.hpp"
-#include "tests/support/child_process.hpp"
 #include "tests/support/gltf_builder.hpp"
+#include "tests/support/run_edgeshade.hpp"
 #include "tests/support/temp_folder.hpp"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // sunhours --surfaces --part: merged parts give the bytes of a whole run; what doesn't fit is
 // refused.
 #include "tests/support/blocks.hpp"
-#include "tests/support/child_process.hpp"
+#include "tests/support/run_edgeshade.hpp"
 #include "tests/support/temp_folder.hpp"
 #include "tests/support/weather.hpp"
 #include "tests/support/words.hpp"

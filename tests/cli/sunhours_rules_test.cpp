@@ -1,6 +1,6 @@
 // sunhours --windows and presets over surfaces: verdicts against geometry, pages, bad usage.
 #include "tests/support/blocks.hpp"
-#include "tests/support/child_process.hpp"
+#include "tests/support/run_edgeshade.hpp"
 #include "tests/support/temp_folder.hpp"
 #include "tests/support/words.hpp"
 

@@ -1,8 +1,8 @@
 // sunhours --surfaces: hours derived from geometry, choices, files, bad usage.
 #include "tests/support/blocks.hpp"
-#include "tests/support/child_process.hpp"
 #include "tests/support/csv_table.hpp"
 #include "tests/support/gltf_builder.hpp"
+#include "tests/support/run_edgeshade.hpp"
 #include "tests/support/temp_folder.hpp"
 #include "tests/support/words.hpp"
 

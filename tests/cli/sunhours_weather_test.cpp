@@ -1,7 +1,7 @@
 // sunhours --epw: energy of the direct beam against manual sums, bad weather files.
 #include "tests/support/blocks.hpp"
-#include "tests/support/child_process.hpp"
 #include "tests/support/csv_table.hpp"
+#include "tests/support/run_edgeshade.hpp"
 #include "tests/support/temp_folder.hpp"
 #include "tests/support/weather.hpp"
 #include "tests/support/words.hpp"

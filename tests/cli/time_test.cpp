@@ -1,6 +1,6 @@
 // --time: nodes, cameras and lights in the pose of the file's animation.
-#include "tests/support/child_process.hpp"
 #include "tests/support/gltf_builder.hpp"
+#include "tests/support/run_edgeshade.hpp"
 #include "tests/support/temp_folder.hpp"
 
 #include <gtest/gtest.h>

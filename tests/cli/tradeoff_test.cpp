@@ -1,6 +1,6 @@
 // The program `tradeoff`. Its measurements are tested with the code that makes them.
-#include "tests/support/child_process.hpp"
 #include "tests/support/packing.hpp"
+#include "tests/support/run_edgeshade.hpp"
 #include "tests/support/temp_folder.hpp"
 
 #include <cmath>
@@ -28,7 +28,7 @@ class Tradeoff : public testing::Test {
 
     /// It prepares some forty settings, which takes longer than other programs' timeout.
     static ProcessResult ended(const std::vector<std::string>& arguments) {
-        return ChildProcess(EDGESHADE_PROGRAM, arguments).wait(120.0);
+        return EdgeshadeProcess(arguments).wait(120.0);
     }
 
     ProcessResult run(const std::vector<std::string>& more) const { return runOf(input_, more); }

@@ -38,7 +38,7 @@ class GlFaults : public testing::Test {
             arguments.insert(arguments.end(), {"--size", "32x32"});
         arguments.insert(arguments.end(), more.begin(), more.end());
         environment.emplace_back(leakVariable, folder_ / "leaks");
-        return runEdgeshade(arguments, environment);
+        return ChildProcess(EDGESHADE_PROGRAM, arguments, environment).wait();
     }
 
     /// Objects alive in the GL at the end of the last preloaded run.
@@ -198,7 +198,8 @@ TEST_F(GlFaults, MeasuringEndsWithASentenceToo) {
             if (verb == std::string("compare")) arguments.insert(arguments.end(), {"--views", "1"});
             auto environment = preloaded(fault);
             environment.emplace_back(leakVariable, folder_ / "leaks");
-            const ProcessResult result = runEdgeshade(arguments, environment);
+            const ProcessResult result =
+                ChildProcess(EDGESHADE_PROGRAM, arguments, environment).wait();
             EXPECT_EQ(result.status, 3) << result.err;
             expectOneSentence(result);
             EXPECT_EQ(leaks(), "");

@@ -2,7 +2,7 @@
 
 #include "src/cli/add_options.hpp"
 #include "src/cli/draw_settings.hpp"
-#include "tests/support/child_process.hpp"
+#include "tests/support/run_edgeshade.hpp"
 
 #include <gtest/gtest.h>
 #include <set>

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
+#include <iostream>
 #include <stdexcept>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -32,15 +33,45 @@ std::string contentOf(int descriptor) {
     return content;
 }
 
+/// Pointers to the words of a command line, and null. They stay the caller's.
+std::vector<char*> pointersTo(const std::string& program,
+                              const std::vector<std::string>& arguments) {
+    std::vector<char*> words = {const_cast<char*>(program.c_str())};
+    for (const std::string& argument : arguments)
+        words.push_back(const_cast<char*>(argument.c_str()));
+    words.push_back(nullptr);
+    return words;
+}
+
 } // namespace
 
 ChildProcess::ChildProcess(const std::string& program, const std::vector<std::string>& arguments,
                            const Environment& environment)
     : out_(unnamedFile()), err_(unnamedFile()) {
-    std::vector<char*> argv = {const_cast<char*>(program.c_str())};
-    for (const std::string& argument : arguments)
-        argv.push_back(const_cast<char*>(argument.c_str()));
-    argv.push_back(nullptr);
+    std::vector<char*> argv = pointersTo(program, arguments);
+    start(environment, [&] { ::execv(program.c_str(), argv.data()); });
+}
+
+ChildProcess::ChildProcess(Main main, const std::vector<std::string>& arguments,
+                           const Environment& environment)
+    : out_(unnamedFile()), err_(unnamedFile()) {
+    const std::string program = "program";
+    std::vector<char*> argv = pointersTo(program, arguments);
+    std::fflush(nullptr); // or the child would print what this process has not yet printed
+    start(environment, [&] {
+        const int status = main(static_cast<int>(arguments.size() + 1), argv.data());
+        std::cout.flush();
+        std::fflush(nullptr);
+#ifdef __SANITIZE_ADDRESS__
+        std::exit(status); // looks for leaks
+#else
+        ::_exit(status); // leaves out what the libraries of this process clear away
+#endif
+    });
+}
+
+template <class Use>
+void ChildProcess::start(const Environment& environment, Use use) {
     process_ = ::fork();
     if (process_ < 0) throw std::runtime_error("no process can be started");
     if (process_ > 0) return;
@@ -49,7 +80,7 @@ ChildProcess::ChildProcess(const std::string& program, const std::vector<std::st
     ::signal(SIGINT, SIG_DFL); // processes started in a shell's background ignore it
     ::dup2(out_, STDOUT_FILENO);
     ::dup2(err_, STDERR_FILENO);
-    ::execv(program.c_str(), argv.data());
+    use();
     ::_exit(127);
 }
 
@@ -92,11 +123,6 @@ ProcessResult ChildProcess::wait(double timeoutSeconds) {
     result.out = contentOf(out_);
     result.err = contentOf(err_);
     return result;
-}
-
-ProcessResult runEdgeshade(const std::vector<std::string>& arguments,
-                           const ChildProcess::Environment& environment) {
-    return ChildProcess(EDGESHADE_PROGRAM, arguments, environment).wait();
 }
 
 } // namespace edgeshade::test

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "tests/support/child_process.hpp"
+
+#include <string>
+#include <vector>
+
+namespace edgeshade::test {
+
+/// This project's program, running. It runs in a copy of the test's process: to load 70 libraries
+/// and a GL anew for each of a thousand runs takes longer than these do.
+class EdgeshadeProcess : public ChildProcess {
+  public:
+    explicit EdgeshadeProcess(const std::vector<std::string>& arguments,
+                              const Environment& environment = {});
+};
+
+/// Runs the program to its end.
+ProcessResult runEdgeshade(const std::vector<std::string>& arguments,
+                           const ChildProcess::Environment& environment = {});
+
+} // namespace edgeshade::test
