@@ -1,9 +1,16 @@
 #include "tests/support/brute_force.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace edgeshade::test {
 namespace {
+
+/// A ray, and the square of its direction's length.
+struct Ray {
+    glm::dvec3 origin, direction;
+    double squaredLength = glm::dot(direction, direction);
+};
 
 struct WorldTriangle {
     glm::dvec3 a, b, c;
@@ -16,6 +23,21 @@ struct WorldTriangle {
     bool isCulled(const glm::dvec3& direction) const {
         const double along = glm::dot(glm::cross(b - a, c - a), direction);
         return frontAlone && (mirrored ? along < 0.0 : along > 0.0);
+    }
+
+    glm::dvec3 centre = (a + b + c) / 3.0;
+    double squaredRadius = std::max({squaredDistance(a), squaredDistance(b), squaredDistance(c)});
+
+    /// Whether the ray's line surely passes by: most do, and this takes least time.
+    bool isPassedBy(const Ray& ray) const {
+        const glm::dvec3 to = centre - ray.origin, across = glm::cross(to, ray.direction);
+        return glm::dot(across, across) >
+               (1.001 * squaredRadius + 1e-12 * glm::dot(to, to)) * ray.squaredLength;
+    }
+
+  private:
+    double squaredDistance(const glm::dvec3& corner) const {
+        return glm::dot(corner - centre, corner - centre);
     }
 };
 
@@ -45,7 +67,9 @@ std::vector<WorldTriangle> worldTriangles(const Scene& scene, bool castMasked) {
 }
 
 /// Parameter t of the hit on origin + t * direction, or a negative number (Moeller, Trumbore).
-double hit(const WorldTriangle& triangle, const glm::dvec3& origin, const glm::dvec3& direction) {
+double hit(const WorldTriangle& triangle, const Ray& ray) {
+    if (triangle.isPassedBy(ray)) return -1.0;
+    const auto& [origin, direction, squaredLength] = ray;
     const glm::dvec3 e1 = triangle.b - triangle.a, e2 = triangle.c - triangle.a;
     const glm::dvec3 p = glm::cross(direction, e2);
     const double determinant = glm::dot(e1, p);
@@ -69,10 +93,10 @@ bool isLit(const std::vector<WorldTriangle>& triangles, std::size_t own, const g
     if (surface.casts &&
         planeSide(surface, glm::dvec4(eye, 1.0)) * planeSide(surface, light) <= 0.0)
         return false;
-    const glm::dvec3 towards = glm::dvec3(light) - point * light.w;
+    const Ray towards{point, glm::dvec3(light) - point * light.w};
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         if (i == own || !triangles[i].casts) continue;
-        const double t = hit(triangles[i], point, towards);
+        const double t = hit(triangles[i], towards);
         if (t > 1e-12 && (light.w == 0.0 || t < 1.0)) return false;
     }
     return true;
@@ -102,12 +126,13 @@ std::vector<Answer> castMask(const Scene& scene, const Frustum& frustum, const L
                                     glm::dvec4(parallel ? window : glm::dvec2(0.0), 0.0, 1.0));
             const glm::dvec3 direction =
                 glm::dmat3(worldFromView) * glm::dvec3(parallel ? glm::dvec2(0.0) : window, -1.0);
+            const Ray ray{origin, direction};
             double nearest = INFINITY;
             std::size_t own = 0;
             for (std::size_t i = 0; i < triangles.size(); ++i) {
-                const bool seen = triangles[i].visible && !triangles[i].isCulled(direction);
-                const double t = seen ? hit(triangles[i], origin, direction) : -1.0;
-                if (t >= near && t < nearest) {
+                const double t = hit(triangles[i], ray);
+                if (t >= near && t < nearest && triangles[i].visible &&
+                    !triangles[i].isCulled(direction)) {
                     nearest = t;
                     own = i;
                 }

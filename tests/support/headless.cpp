@@ -5,6 +5,7 @@
 #include "src/scene/shadow_facts.hpp"
 #include "src/shadow/view/light_budget.hpp"
 #include "tests/support/bounded_frame.hpp"
+#include "tests/support/kept_gl.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,6 +38,7 @@ bool hasDerivatives() {
 }
 
 gl::HeadlessContext::Request testPicture(int width, int height, int samples) {
+    keepGlLoaded();
     return {width, height, samples, testLimits()};
 }
 

@@ -27,61 +27,87 @@ Outcome compare(const std::vector<std::uint8_t>& mask, const std::vector<Answer>
     return outcome;
 }
 
-} // namespace
+/// What rays see.
+std::vector<Answer> answersTo(const Case& test) {
+    return castMask(test.scene, standingBack(test.seen(), worldBounds(test.scene)), test.light,
+                    maskWidth, maskHeight, test.near, test.castMasked);
+}
 
-Outcome run(const Case& test, RenderSettings settings, bool nearDiscard, bool culledCaps) {
+std::vector<std::uint8_t> maskOf(const Case& test, const RenderSettings& settings,
+                                 bool nearDiscard = true, bool culledCaps = true) {
     TestView view{test.camera, {test.light}, maskWidth, maskHeight, true};
     if (test.near > 0.0) view.depth.near = test.near;
     view.depth.slices = test.slices;
     view.nearDiscard = nearDiscard;
     view.culledCaps = culledCaps;
     view.frustum = test.seen();
-    return compare(drawScene(test.scene, view, settings, test.castMasked),
-                   castMask(test.scene, standingBack(test.seen(), worldBounds(test.scene)),
-                            test.light, maskWidth, maskHeight, test.near, test.castMasked));
+    return drawScene(test.scene, view, settings, test.castMasked);
 }
 
-namespace {
+/// A case, and what rays see of it.
+struct Judged {
+    explicit Judged(const Case& of) : test(of), answers(answersTo(of)) {}
 
-void expectNearlyRight(const Case& test, ShadowMethod method, const char* by) {
+    const Case& test;
+    std::vector<Answer> answers;
+};
+
+void expectNearlyRight(const Judged& of, ShadowMethod method, const char* by) {
     RenderSettings settings;
     settings.shadows = method;
-    const Outcome outcome = run(test, settings);
+    const Outcome outcome = compare(maskOf(of.test, settings), of.answers);
     // At contacts closer than float precision, points may be on either side.
     EXPECT_LE(outcome.wrongBeyondOnePixel, 1) << by << ":" << outcome.where;
     EXPECT_LE(outcome.wrong, maskWidth * maskHeight / 500) << by;
 }
 
-} // namespace
-
-void expectRight(const Case& test) {
-    for (const auto method : {MultiplicityMethod::plane, MultiplicityMethod::referenceEdge,
-                              MultiplicityMethod::threeEdge})
-        expectRight(test, method);
-    if (testLimits() == gl::Limits::device) expectLookedUpRight(test);
-    expectRightByPoints(test);
+void expectLookedUpRight(const Judged& of) {
+    expectNearlyRight(of, ShadowMethod::primitiveMap, "by a primitive map");
 }
 
-void expectLookedUpRight(const Case& test) {
-    expectNearlyRight(test, ShadowMethod::primitiveMap, "by a primitive map");
-}
-
-void expectRightByPoints(const Case& test) {
+void expectRightByPoints(const Judged& of) {
     if (canAskPoints())
-        expectNearlyRight(test, ShadowMethod::irregularZBuffer, "by an irregular z-buffer");
+        expectNearlyRight(of, ShadowMethod::irregularZBuffer, "by an irregular z-buffer");
 }
 
-void expectRight(const Case& test, MultiplicityMethod method) {
+void expectRight(const Judged& of, MultiplicityMethod method) {
     for (const auto layout :
          {SidesLayout::instanced, SidesLayout::multiDraw, SidesLayout::notInstanced}) {
         RenderSettings settings;
         settings.multiplicity = method;
         settings.layout = layout;
-        const Outcome outcome = run(test, settings);
+        const Outcome outcome = compare(maskOf(of.test, settings), of.answers);
         EXPECT_EQ(outcome.wrongBeyondOnePixel, 0) << outcome.where;
         EXPECT_LE(outcome.wrong, maskWidth * maskHeight / 500);
         EXPECT_GT(outcome.shadow, 50) << "the case should have shadows";
     }
+}
+
+} // namespace
+
+Outcome run(const Case& test, RenderSettings settings, bool nearDiscard, bool culledCaps) {
+    return compare(maskOf(test, settings, nearDiscard, culledCaps), answersTo(test));
+}
+
+void expectRight(const Case& test) {
+    const Judged judged(test);
+    for (const auto method : {MultiplicityMethod::plane, MultiplicityMethod::referenceEdge,
+                              MultiplicityMethod::threeEdge})
+        expectRight(judged, method);
+    if (testLimits() == gl::Limits::device) expectLookedUpRight(judged);
+    expectRightByPoints(judged);
+}
+
+void expectLookedUpRight(const Case& test) {
+    expectLookedUpRight(Judged(test));
+}
+
+void expectRightByPoints(const Case& test) {
+    expectRightByPoints(Judged(test));
+}
+
+void expectRight(const Case& test, MultiplicityMethod method) {
+    expectRight(Judged(test), method);
 }
 
 } // namespace edgeshade::test
