@@ -5,7 +5,6 @@
 #include "src/scene/shadow_facts.hpp"
 #include "src/shadow/view/light_budget.hpp"
 #include "tests/support/bounded_frame.hpp"
-#include "tests/support/kept_gl.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +37,6 @@ bool hasDerivatives() {
 }
 
 gl::HeadlessContext::Request testPicture(int width, int height, int samples) {
-    keepGlLoaded();
     return {width, height, samples, testLimits()};
 }
 
