@@ -1,5 +1,5 @@
 // edgeshade/three-webgpu: lights at rest in a WebGPURenderer are looked up as in a WebGLRenderer, pixel
-// for pixel, by both back ends.
+// for pixel.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -22,14 +22,14 @@ async function inPage(act, given, allowed = []) {
 
 const sun = ['DirectionalLight', [0.5, 1, -0.3]];
 
-/** Both back ends' pictures of a scene beside the other adapter's. */
-async function backendsDiffer(tools, { scene: name, lights }) {
+/** Pictures of a scene by back ends beside the other adapter's. */
+async function backendsDiffer(tools, { scene: name, lights, backends }) {
   const results = {};
   const { camera, scene, options, place = scene, tintOf } = await tools.sceneOf(name);
   for (const light of lights) place.add(...tools.lampOf(...light));
   const lamp = place.getObjectByProperty('isLight', true);
   const pictures = {};
-  for (const backend of ['WebGLRenderer', 'WebGL', 'WebGPU']) {
+  for (const backend of ['WebGLRenderer', ...backends]) {
     pictures[backend] = await tools.lookedUp(backend, scene, camera, { lights: lights.length, ...options });
     const { lookedUp, channels, methods } = pictures[backend];
     const { places, ...counts } = tools.compared(pictures.WebGLRenderer.channels, channels, options?.at);
@@ -38,6 +38,9 @@ async function backendsDiffer(tools, { scene: name, lights }) {
   }
   return results;
 }
+
+/** Scenes that WebGPURenderer's back end of WebGL draws, too: both have their shaders from the same nodes. */
+const withBoth = ['far yard', 'stained'];
 
 /**
  * Scenes, their lights, how many pixels may differ, and how many of these beyond edges: rounding of vertices and
@@ -53,7 +56,7 @@ for (const [name, [lights, most, mostBeyond]] of Object.entries({
   lamps: [[['SpotLight', [0.5, 5, 1.5]], ['PointLight', [0.4, 1.6, 0.7]]], 0, 0],
 }))
   test(`${name}: ${lights.map(([kind]) => kind)} looked up as by the other adapter`, async () => {
-    const { WebGLRenderer, ...others } = await inPage(backendsDiffer, { scene: name, lights });
+    const { WebGLRenderer, ...others } = await inPage(backendsDiffer, { scene: name, lights, backends: isLong || withBoth.includes(name) ? ['WebGL', 'WebGPU'] : ['WebGPU'] });
     console.log(name, { WebGLRenderer, ...others });
     assert.equal(WebGLRenderer.lookedUp, lights.length);
     const leastGrey = { panes: 2000, sheets: 800, stained: 400, 'soft yard': 100 }[name] ?? 0; // panes tint, and soft shadows have borders

@@ -4,6 +4,7 @@ import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { isLong } from './long.mjs';
 import { program } from './native.mjs';
 
 const all = ['three-0.152', 'three-0.169', 'three'];
@@ -15,11 +16,14 @@ if (only && !all.includes(only)) throw new Error(`EDGESHADE_THREE is '${only}', 
 /** The release to test in place of one, as a name of a package. */
 export const inPlaceOf = (release) => only ?? release;
 
-/** The releases to test of a list, oldest first: the earlier ones lack a feature. */
-export const releasesOf = (...list) => (!only ? list : all.indexOf(only) < all.indexOf(list[0]) ? [] : [only]);
+/**
+ * The releases to test of a list, oldest first, as names of packages: the earlier ones lack a feature. The newest alone
+ * but under ./test --long, which takes each release for all tests, too.
+ */
+export const releasesOf = (...list) => (only ? (all.indexOf(only) < all.indexOf(list[0]) ? [] : [only]) : isLong ? list : list.slice(-1));
 
-/** Tested releases, as names of packages. */
-export const releases = releasesOf(...all);
+/** Every release, for tests of what they do in different ways. */
+export const releases = only ? [only] : all;
 
 export const size = { width: 480, height: 270 };
 
