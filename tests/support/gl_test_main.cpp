@@ -1,5 +1,5 @@
-// main() of test programs that draw. Loading a GL for each context, and asking the system for the
-// memory of each map anew, took longer than most tests draw.
+// main() of test programs that draw. Loading a GL for each context, and asking the system again
+// for the memory of each map, took longer than most tests draw.
 #include "tests/support/kept_gl.hpp"
 
 #include <gtest/gtest.h>

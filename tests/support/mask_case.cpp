@@ -27,7 +27,7 @@ Outcome compare(const std::vector<std::uint8_t>& mask, const std::vector<Answer>
     return outcome;
 }
 
-/// What rays see.
+/// The answers of rays.
 std::vector<Answer> answersTo(const Case& test) {
     return castMask(test.scene, standingBack(test.seen(), worldBounds(test.scene)), test.light,
                     maskWidth, maskHeight, test.near, test.castMasked);
