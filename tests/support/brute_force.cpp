@@ -6,10 +6,14 @@
 namespace edgeshade::test {
 namespace {
 
-/// A ray, and the square of its direction's length.
+/// The square of a vector's length.
+double squared(const glm::dvec3& v) {
+    return glm::dot(v, v);
+}
+
 struct Ray {
     glm::dvec3 origin, direction;
-    double squaredLength = glm::dot(direction, direction);
+    double squaredLength = squared(direction);
 };
 
 struct WorldTriangle {
@@ -18,6 +22,9 @@ struct WorldTriangle {
     bool visible;
     bool frontAlone; ///< visible only from its front
     bool mirrored;   ///< its placement reverses its winding
+    glm::dvec3 centre = (a + b + c) / 3.0;
+    double squaredRadius =
+        std::max({squared(a - centre), squared(b - centre), squared(c - centre)});
 
     /// Whether a ray along the direction meets its back, which is invisible.
     bool isCulled(const glm::dvec3& direction) const {
@@ -25,19 +32,11 @@ struct WorldTriangle {
         return frontAlone && (mirrored ? along < 0.0 : along > 0.0);
     }
 
-    glm::dvec3 centre = (a + b + c) / 3.0;
-    double squaredRadius = std::max({squaredDistance(a), squaredDistance(b), squaredDistance(c)});
-
-    /// Whether the ray's line surely passes by: most do, and this takes least time.
+    /// Whether the ray's line surely passes by, as most do.
     bool isPassedBy(const Ray& ray) const {
-        const glm::dvec3 to = centre - ray.origin, across = glm::cross(to, ray.direction);
-        return glm::dot(across, across) >
-               (1.001 * squaredRadius + 1e-12 * glm::dot(to, to)) * ray.squaredLength;
-    }
-
-  private:
-    double squaredDistance(const glm::dvec3& corner) const {
-        return glm::dot(corner - centre, corner - centre);
+        const glm::dvec3 to = centre - ray.origin;
+        return squared(glm::cross(to, ray.direction)) >
+               (1.001 * squaredRadius + 1e-12 * squared(to)) * ray.squaredLength;
     }
 };
 

@@ -58,7 +58,8 @@ ChildProcess::ChildProcess(Main main, const std::vector<std::string>& arguments,
     const std::string program = "program";
     std::vector<char*> argv = pointersTo(program, arguments);
     std::fflush(nullptr); // or the child would print what this process has not yet printed
-    start(environment, [&] {
+    // An exception ends the child, which must not go on with this process's tests.
+    start(environment, [&]() noexcept {
         const int status = main(static_cast<int>(arguments.size() + 1), argv.data());
         std::cout.flush();
         std::fflush(nullptr);
