@@ -27,8 +27,8 @@ class ChildProcess {
 
     ChildProcess(const std::string& program, const std::vector<std::string>& arguments,
                  const Environment& environment = {});
-    /// Calls `main` in a copy of this process, and ends with its status. Much sooner there than a
-    /// program that must load its libraries.
+    /// Calls `main` in a fork of this process, which ends with main's status. It starts sooner than
+    /// a program, as all libraries are loaded.
     ChildProcess(Main main, const std::vector<std::string>& arguments,
                  const Environment& environment = {});
     ~ChildProcess();

@@ -7,8 +7,7 @@ namespace edgeshade::test {
 
 EdgeshadeProcess::EdgeshadeProcess(const std::vector<std::string>& arguments,
                                    const Environment& environment)
-    : ChildProcess([](int argc, char** argv) { return cli::runProgram(argc, argv); }, arguments,
-                   environment) {}
+    : ChildProcess(cli::runProgram, arguments, environment) {}
 
 ProcessResult runEdgeshade(const std::vector<std::string>& arguments,
                            const ChildProcess::Environment& environment) {

@@ -7,8 +7,8 @@
 
 namespace edgeshade::test {
 
-/// This project's program, running. It runs in a copy of the test's process: to load 70 libraries
-/// and a GL for each of a thousand runs takes longer than these do.
+/// This project's program, running in a fork of the test's process: to load 72 libraries and a GL
+/// for each of a thousand runs takes longer than most of these do.
 class EdgeshadeProcess : public ChildProcess {
   public:
     explicit EdgeshadeProcess(const std::vector<std::string>& arguments,

@@ -17,8 +17,8 @@ if (only && !all.includes(only)) throw new Error(`EDGESHADE_THREE is '${only}', 
 export const inPlaceOf = (release) => only ?? release;
 
 /**
- * The releases to test of a list, oldest first, as names of packages: the earlier ones lack a feature. The newest alone
- * but under ./test --long, which takes each release for all tests, too.
+ * The releases to test of a list, oldest first, as names of packages: the earlier ones lack a feature. Only the newest,
+ * except under ./test --long, which also runs all tests with each release.
  */
 export const releasesOf = (...list) => (only ? (all.indexOf(only) < all.indexOf(list[0]) ? [] : [only]) : isLong ? list : list.slice(-1));
 
