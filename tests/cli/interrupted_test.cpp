@@ -1,7 +1,7 @@
 // Interrupting the program, and running it twice at once.
 #include "preprocess/gltf/gltf_reading.hpp"
+#include "tests/support/child_process.hpp"
 #include "tests/support/gltf_builder.hpp"
-#include "tests/support/run_edgeshade.hpp"
 #include "tests/support/temp_folder.hpp"
 
 #include <chrono>

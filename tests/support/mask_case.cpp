@@ -102,10 +102,6 @@ void expectLookedUpRight(const Case& test) {
     expectLookedUpRight(Judged(test));
 }
 
-void expectRightByPoints(const Case& test) {
-    expectRightByPoints(Judged(test));
-}
-
 void expectRight(const Case& test, MultiplicityMethod method) {
     expectRight(Judged(test), method);
 }

@@ -42,9 +42,6 @@ void expectRight(const Case& test);
 /// The same with a primitive map; if some casters can't be in one, volumes are counted.
 void expectLookedUpRight(const Case& test);
 
-/// The same with an irregular z-buffer, if possible.
-void expectRightByPoints(const Case& test);
-
 /// The same with one method and every layout.
 void expectRight(const Case& test, MultiplicityMethod method);
 
