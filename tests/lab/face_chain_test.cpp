@@ -5,6 +5,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
+#include <map>
 
 namespace edgeshade {
 namespace {
@@ -38,7 +39,8 @@ struct Seen {
         }
         FollowedChain followed;
         chain.look(lightInBatch(light, worldFromBatch), {}, followed, casters);
-        drawChain(view, rays, chain, casters, faces);
+        ChainPaths paths;
+        drawChain(view, rays, chain, casters, paths, faces);
     }
 
     LightView view;
@@ -106,6 +108,99 @@ TEST(FaceChain, ALampsSegmentsAreWithinTheirErrorOfThoseOnTheFace) {
         }
     }
     EXPECT_GT(compared, 2000u);
+}
+
+/// Paths that start at a place, and by how much more rises from it than to it.
+struct Rising {
+    int starts = 0, more = 0;
+};
+
+template <class Segment>
+void expectPaths(const std::vector<Segment>& segments, bool cut) {
+    std::map<std::pair<double, double>, Rising> rising;
+    for (const Segment& segment : segments) {
+        const int weight = std::max<int>(segment.weight, 0);
+        Rising& from = rising[{segment.from.x, segment.from.y}];
+        from.starts += segment.starts;
+        from.more += weight;
+        rising[{segment.to.x, segment.to.y}].more -= weight;
+    }
+    for (const auto& [place, of] : rising) {
+        EXPECT_GE(of.starts, std::max(of.more, 0));
+        EXPECT_TRUE(cut || of.starts == std::max(of.more, 0));
+    }
+}
+
+TEST(FaceChain, PathsGoOnFromEdgeToEdge) {
+    Random random(64);
+    for (int i = 0; i < 40; ++i) {
+        const PlanePairShadow shadow = boxes(1.0, {});
+        const Seen sun(shadow, {glm::dvec4(random.inCube(), 0.0)}, glm::dmat4(1.0));
+        expectPaths(sun.faces[0].segments, false);
+        const Seen lamp(shadow, {glm::dvec4(random.magnitude(0, 2) * random.inCube(), 1.0)},
+                        glm::dmat4(1.0));
+        for (const FaceChain& face : lamp.faces)
+            expectPaths(face.drawn, true);
+    }
+}
+
+/// Expects segments to rise in their exact places, unless they are level. `exact`: the ends of each
+/// segment's edge, in the face's frame. Returns the number of level ones.
+std::size_t expectRises(const std::vector<FaceSegment>& segments,
+                        const std::vector<std::array<glm::dvec2, 2>>& exact) {
+    std::size_t level = 0;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        const glm::dvec2 from(segments[i].from);
+        const auto& [a, b] = exact[i];
+        const double rise = glm::distance(from, a) < glm::distance(from, b) ? b.y - a.y : a.y - b.y;
+        EXPECT_TRUE(segments[i].level || rise > 0.0) << rise;
+        level += segments[i].level;
+    }
+    return level;
+}
+
+// A third of the boxes' edges run across the light's plane, but for rounding.
+TEST(FaceChain, ASunsSegmentsThatMayFallAreLevel) {
+    Random random(65);
+    std::size_t level = 0, all = 0;
+    for (int i = 0; i < 60; ++i) {
+        const PlanePairShadow shadow = boxes(1.0, {});
+        const Light light{glm::dvec4(random.inCube(), 0.0)};
+        const glm::dvec3 edge = LightView(light).axes[0];
+        const glm::dmat4 place =
+            glm::rotate(glm::dmat4(1.0), -std::atan2(edge.y, edge.x), glm::dvec3(light.position));
+        const Seen seen(shadow, light, place);
+        std::vector<std::array<glm::dvec2, 2>> exact;
+        for (const ChainEdge& of : seen.casters.pairs)
+            exact.push_back({glm::dvec2(seen.rays.to(shadow.pairs[of.record].a)),
+                             glm::dvec2(seen.rays.to(shadow.pairs[of.record].b))});
+        const std::span<const FaceSegment> pairs(seen.faces[0].segments.data(), exact.size());
+        level += expectRises({pairs.begin(), pairs.end()}, exact);
+        all += exact.size();
+    }
+    EXPECT_GT(level, all / 10);
+    EXPECT_LT(level, all / 2);
+}
+
+TEST(FaceChain, ALampsSegmentsThatMayFallAreLevel) {
+    Random random(66);
+    std::size_t level = 0, all = 0;
+    for (int i = 0; i < 60; ++i) {
+        const PlanePairShadow shadow = boxes(1.0, {});
+        const Light light{glm::dvec4(random.magnitude(0, 2) * random.inCube(), 1.0)};
+        const glm::dmat4 place(glm::transpose(LightView(light).axes));
+        Seen seen(shadow, light, place);
+        for (FaceChain& face : seen.faces) {
+            settle(face);
+            std::vector<std::array<glm::dvec2, 2>> exact;
+            for (const DrawnSegment& drawn : face.drawn)
+                exact.push_back({face.frame.to(drawn.from), face.frame.to(drawn.to)});
+            level += expectRises(face.segments, exact);
+            all += exact.size();
+        }
+    }
+    EXPECT_GT(level, all / 10);
+    EXPECT_LT(level, all / 2);
 }
 
 TEST(FaceChain, FramesAreThereAndBack) {

@@ -39,7 +39,7 @@ LineCounts::LineCounts(const Scene& scene, bool castMasked, const Light& light, 
     for (std::size_t i = 0; i < corners.size(); i += 3) {
         const Rays rays{view_.rayTo(corners[i]), view_.rayTo(corners[i + 1]),
                         view_.rayTo(corners[i + 2])};
-        double largest = glm::length(view_.position);
+        double largest = glm::length(view_.origin);
         for (std::size_t c = 0; c < 3; ++c)
             largest = std::max(largest, glm::length(corners[i + c]));
         add(rays, 1e-15 * largest);

@@ -2,6 +2,7 @@
 #include "src/shadow/layers/winding_grid.hpp"
 #include "tests/support/hard_lights.hpp"
 
+#include <glm/gtc/constants.hpp>
 #include <gtest/gtest.h>
 
 namespace edgeshade {
@@ -36,18 +37,44 @@ std::vector<Triangle2> latticeTriangles(Random& random, int count) {
     return triangles;
 }
 
+/// A segment from its lower end to its upper one, which are off their places by up to `error`.
+FaceSegment segmentBetween(const glm::vec2& from, const glm::vec2& to, int weight,
+                           double error = floatError) {
+    return {from, to, 0, static_cast<std::int16_t>(weight),
+            static_cast<double>(to.y - from.y) <= 2.0001 * error};
+}
+
+/// Finds the paths of segments that meet at equal ends.
+std::vector<FaceSegment> withPaths(std::vector<FaceSegment> segments) {
+    std::map<std::pair<float, float>, std::uint32_t> numbers;
+    const auto numberOf = [&](const glm::vec2& end) {
+        const auto next = static_cast<std::uint32_t>(numbers.size());
+        return numbers.try_emplace({end.x, end.y}, next).first->second;
+    };
+    ChainPaths paths;
+    paths.begin(2 * segments.size(), segments.size());
+    {
+        ChainPaths::Adding adding(paths);
+        for (std::size_t i = 0; i < segments.size(); ++i)
+            adding.add(numberOf(segments[i].from), numberOf(segments[i].to), segments[i].weight, i);
+    }
+    paths.findStarts([&](std::size_t i, int starts) { segments[i].starts = starts; });
+    return segments;
+}
+
 /// The boundary of the triangles, edge by edge.
-std::vector<FaceSegment> boundaryOf(const std::vector<Triangle2>& triangles) {
+std::vector<FaceSegment> boundaryOf(const std::vector<Triangle2>& triangles,
+                                    double error = floatError) {
     std::vector<FaceSegment> segments;
     for (const Triangle2& t : triangles)
         for (std::size_t i = 0; i < 3; ++i) {
             const glm::dvec2 a = t[i], b = t[(i + 1) % 3];
             const glm::vec2 from(a), to(b);
             // Left of an edge is inside.
-            segments.push_back(from.y <= to.y ? FaceSegment{from, to, -1}
-                                              : FaceSegment{to, from, 1});
+            segments.push_back(from.y <= to.y ? segmentBetween(from, to, -1, error)
+                                              : segmentBetween(to, from, 1, error));
         }
-    return segments;
+    return withPaths(std::move(segments));
 }
 
 int countAt(const std::vector<Triangle2>& triangles, const glm::dvec2& p) {
@@ -168,7 +195,7 @@ TEST(WindingGrid, BoundsHoldForAnyPlaceWithinTheError) {
                 corner = known.try_emplace({corner.x, corner.y}, corner + 0.7 * error * off)
                              .first->second;
             }
-        const std::vector<FaceSegment> segments = boundaryOf(placed);
+        const std::vector<FaceSegment> segments = boundaryOf(placed, error);
         const Outline outline{-0.1, latticeSide, -0.1, latticeSide};
         const WindingGrid grid = filled(outline, 4, error, segments, 0);
         expectBounds(grid, triangles, random);
@@ -189,9 +216,10 @@ std::vector<FaceSegment> randomSegments(Random& random, int count) {
         if (random.below(8) == 0) to.x = from.x;
         if (random.below(8) == 0) to.y = from.y;
         if (from.y > to.y) std::swap(from, to);
-        segments.push_back({from, to, random.below(2) == 0 ? -1 - random.below(3) : 2});
+        segments.push_back(
+            segmentBetween(from, to, random.below(2) == 0 ? -1 - random.below(3) : 2));
     }
-    return segments;
+    return withPaths(std::move(segments));
 }
 
 // A single segment is counted by itself.
@@ -279,9 +307,28 @@ TEST(FaceBound, ACrowdedCellHasTheSidesFromTheCellBelow) {
     const Triangle2 small{at(5.45, 5.5), at(5.55, 5.5), at(5.5, 5.6)};
     FaceChain face;
     face.segments = boundaryOf({large, large, small});
-    const Outline cells{0, 16, 0, 16}; // the grid has as many
+    const Outline cells{4, 8, 4, 8}; // the grid has as many
     EXPECT_FALSE(FaceBound(2).holds(face, cells, 0));
     EXPECT_TRUE(FaceBound(6).holds(face, cells, 0));
+}
+
+// Ten edges pass through the corner of a cell, which is divided until it holds nothing else.
+TEST(FaceBound, SegmentsAtASharedCornerRaiseItOnce) {
+    Random random(9);
+    std::vector<Triangle2> triangles;
+    for (int i = 0; i < 10; ++i) {
+        const glm::dvec2 along(0.3 + 0.05 * i, 1.0);
+        triangles.push_back(
+            {glm::dvec2(4.0) - along, glm::dvec2(4.0) + along, glm::dvec2(2.5, 5.0)});
+    }
+    for (int i = 0; i < 30; ++i) {
+        const glm::dvec2 at(4.9 + 0.02 * random.uniform(-1, 1), 4.9 + 0.02 * random.uniform(-1, 1));
+        triangles.push_back({at, at + glm::dvec2(0.04, 0.0), at + glm::dvec2(0.0, 0.04)});
+    }
+    FaceChain face;
+    face.segments = boundaryOf(triangles);
+    const Outline cells{0, 16, 0, 16};
+    EXPECT_TRUE(FaceBound(45).holds(face, cells, 0));
 }
 
 // The grid's purpose: a triangle's cells have its count, and a long edge touches few of them.
@@ -300,6 +347,52 @@ TEST(WindingGrid, BoundsAreTightAwayFromEdges) {
     EXPECT_GE(full, latticeSide * latticeSide / 2);
 }
 
+/// A regular polygon, counter-clockwise.
+std::vector<glm::dvec2> regularPolygon(const glm::dvec2& center, double radius, double turn) {
+    std::vector<glm::dvec2> corners;
+    for (int i = 0; i < 40; ++i) {
+        const double at = turn + i * 0.05 * glm::pi<double>();
+        corners.push_back(center + radius * glm::dvec2(std::cos(at), std::sin(at)));
+    }
+    return corners;
+}
+
+// However many edges a convex outline has, it counts once: as one path, or at the corner.
+TEST(WindingGrid, ConvexOutlinesCountOnceInEachCell) {
+    Random random(8);
+    int above = 0, cells = 0;
+    for (int round = 0; round < 40; ++round) {
+        std::vector<FaceSegment> segments;
+        std::vector<std::pair<glm::dvec2, double>> circles;
+        for (int i = 0; i < 30; ++i) {
+            const glm::dvec2 center(random.uniform(0, 1), random.uniform(0, 1));
+            const double radius = random.magnitude(-1.2, -0.5);
+            circles.emplace_back(center, radius);
+            const auto corners = regularPolygon(center, radius, random.uniform(0, 1));
+            for (std::size_t k = 0; k < corners.size(); ++k) {
+                const glm::vec2 a(corners[k]), b(corners[(k + 1) % corners.size()]);
+                segments.push_back(a.y <= b.y ? segmentBetween(a, b, -1) : segmentBetween(b, a, 1));
+            }
+        }
+        const Outline outline{-0.4, 1.4, -0.4, 1.4};
+        const WindingGrid grid =
+            filled(outline, random.below(6), 0.0, withPaths(std::move(segments)), 0);
+        for (int row = 0; row < grid.side(); ++row)
+            for (int column = 0; column < grid.side(); ++column) {
+                const Outline cell = grid.cell(row, column);
+                int touching = 0;
+                for (const auto& [center, radius] : circles) {
+                    const glm::dvec2 nearest =
+                        glm::clamp(center, {cell.u0, cell.v0}, {cell.u1, cell.v1});
+                    touching += glm::distance(center, nearest) < radius;
+                }
+                above += grid.bound(row, column) > touching;
+                ++cells;
+            }
+    }
+    EXPECT_LE(above, cells / 200) << "but next to corners, and for edges that are nearly level";
+}
+
 TEST(WindingGrid, ASegmentTouchesNoCellOutsideOfItsRowsAndColumns) {
     Random random(54);
     int spans = 0, without = 0;
@@ -311,7 +404,7 @@ TEST(WindingGrid, ASegmentTouchesNoCellOutsideOfItsRowsAndColumns) {
         if (random.below(3) == 0) to = from + 0.01 * (to - from);
         if (random.below(5) == 0) to.y = from.y;
         if (from.y > to.y) std::swap(from, to);
-        const FaceSegment segment{glm::vec2(from), glm::vec2(to), 1};
+        const FaceSegment segment = segmentBetween(glm::vec2(from), glm::vec2(to), 1);
         const auto cells = grid.cellsAround(segment);
         without += cells ? 0 : 1;
         grid.forEachSpan(segment, [&](int row, int left, int right) {

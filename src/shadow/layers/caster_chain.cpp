@@ -166,7 +166,7 @@ bool CasterReach::mayHold(const Box& box, const LightInBatch& light) const {
 CasterChain::CasterChain(const PlanePairShadow& shadow)
     : shadow_(&shadow), facings_(shadow),
       pairs_(runsOf(shadow, &ShadowCluster::pairs, shadow.pairPlanes)),
-      singles_(runsOf(shadow, &ShadowCluster::singles, shadow.singlePlanes)) {
+      singles_(runsOf(shadow, &ShadowCluster::singles, shadow.singlePlanes)), vertices_(shadow) {
     for (const ShadowCluster& cluster : shadow.clusters)
         for (const glm::dvec3& corner : {cluster.bounds.low, cluster.bounds.high})
             bounds_.add(corner);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "src/shadow/layers/caster_facings.hpp"
+#include "src/shadow/layers/edge_vertices.hpp"
 
 #include <limits>
 #include <vector>
@@ -59,7 +60,7 @@ struct FollowedChain {
 /// The boundary of a batch's triangles, each signed by the side from which a light sees it.
 class CasterChain {
   public:
-    /// Linear in the caps. `shadow` must outlive this.
+    /// Linear in the records. `shadow` must outlive this.
     explicit CasterChain(const PlanePairShadow& shadow);
 
     /// Fills in `seen` for the next place of a light on its way, and reuses its memory. Looks
@@ -73,6 +74,7 @@ class CasterChain {
                        const CasterReach& reach, std::vector<std::uint32_t>& caps) const;
 
     const PlanePairShadow& shadow() const { return *shadow_; }
+    const EdgeVertices& vertices() const { return vertices_; }
     /// Around all casters.
     const Box& bounds() const { return bounds_; }
     /// The largest magnitude of a coordinate.
@@ -82,6 +84,7 @@ class CasterChain {
     const PlanePairShadow* shadow_;
     CasterFacings facings_;
     RecordRuns pairs_, singles_;
+    EdgeVertices vertices_;
     Box bounds_;
 };
 

@@ -7,8 +7,8 @@ namespace edgeshade {
 namespace {
 
 // Depths of grids: a face's first one, and those of crowded cells.
-constexpr int coarsest = 4, finest = 6, leastFiner = 1, mostFiner = 3;
-constexpr std::size_t segmentsPerCell = 16; ///< in a grid with the right depth
+constexpr int coarsest = 2, finest = 6, leastFiner = 1, mostFiner = 4;
+constexpr std::size_t segmentsPerCell = 48; ///< in a grid with the right depth
 constexpr int mostHalvings = 14;            ///< most halvings of a face's filled part
 
 // Segments and polygons in crowded cells, from which on dividing costs more than bounding by
@@ -63,7 +63,7 @@ bool FaceBound::holds(const FaceChain& face, const Outline& part, int start) {
     if (part.empty()) return true;
     error_ = face.error;
     workLeft_ = leastWork + workPerSegment * face.segments.size();
-    return holds({part, 0, face.segments, face.uncertain, start},
+    return holds({part, 0, face.segments, face.uncertain, start, false},
                  depthFor(face.segments.size(), coarsest, finest), 0);
 }
 
@@ -73,7 +73,7 @@ bool FaceBound::holds(const Part& part, int depth, std::size_t nesting) {
     WindingGrid& grid = level.grid;
     grid.begin(part.outline, depth, error_);
     grid.add(part.segments, level.placeOf);
-    grid.sum(part.start);
+    grid.sum(part.start, part.isRaised);
     const bool touches = !part.uncertain.empty();
     if (touches) {
         level.touched.begin(part.outline, depth);
@@ -130,8 +130,9 @@ bool FaceBound::holds(const Part& part, int depth, std::size_t nesting) {
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const auto [row, column] = cells[i];
         const std::span<const FaceSegment> segments = crowded.segmentsOf(i);
-        const Part cell{grid.cell(row, column), part.halvings + depth, segments,
-                        crowded.uncertainOf(i), grid.corner(row, column)};
+        const bool sharesStart = row == 0 && column == 0;
+        const Part cell{grid.cell(row, column), part.halvings + depth,    segments,
+                        crowded.uncertainOf(i), grid.corner(row, column), sharesStart};
         if (!holds(cell, depthFor(segments.size(), leastFiner, mostFiner), nesting + 1))
             return false;
     }

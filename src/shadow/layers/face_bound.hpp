@@ -42,6 +42,7 @@ class FaceBound {
         std::span<const FaceSegment> segments;
         std::span<const FacePolygon> uncertain;
         int start;
+        bool isRaised; ///< `start` is, as of WindingGrid::sum()
     };
     /// Memory for the parts of one nesting.
     struct Level {

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <optional>
 
 namespace edgeshade {
@@ -26,14 +27,25 @@ constexpr double leastDistance = 0x1p-18, mixRounding = 0x1p-50;
 /// Rounding of a coordinate in [-1, 1] to floats.
 constexpr double placeRounding = 0x1p-24;
 
+constexpr std::size_t faceCount = 6; ///< of a point light
+
+/// A segment that rises by more than this rises in its exact place. `error`: of its ends; infinite
+/// or no number if that is unknown.
+template <class Number>
+Number leastRiseOf(double error) {
+    constexpr double twice = 2.0001; // and the rounding of the segment's rise
+    return error < std::numeric_limits<float>::max() ? static_cast<Number>(twice * error)
+                                                     : std::numeric_limits<Number>::infinity();
+}
+
 /// Draws the edges and triangles of one batch.
 class BatchDrawing {
   public:
-    /// `box`: around all points.
-    BatchDrawing(const LightView& view, const RaysOfBatch& rays, const Box& box,
-                 std::vector<FaceChain>& faces)
-        : view_(view), rays_(rays), faces_(faces) {
-        if (view.directional) sunRays_.emplace(rays, box);
+    BatchDrawing(const LightView& view, const RaysOfBatch& rays, const CasterChain& chain,
+                 const SeenCasters& seen, ChainPaths& paths, std::vector<FaceChain>& faces)
+        : view_(view), rays_(rays), paths_(paths), faces_(faces) {
+        if (view.directional) sunRays_.emplace(rays, chain.bounds());
+        paths.begin(chain.vertices().count, seen.pairs.size() + seen.singles.size());
         nearest_.fill(view.directional ? 1.0 : INFINITY);
         for (std::size_t face = 0; face < faces.size(); ++face) {
             // A point of the chain is to the left of a counter-clockwise triangle's edges. A
@@ -46,11 +58,12 @@ class BatchDrawing {
 
     /// `Record`: PairRecord or SingleRecord.
     template <class Record>
-    void addEdges(const std::vector<ChainEdge>& edges, const std::vector<Record>& records) {
-        if (view_.directional) return addToSun(edges, records);
-        forEachEdge(edges, records, [&](const Record& record, int weight) {
-            addEdge(rays_.to(record.a), rays_.to(record.b), weight);
-        });
+    void addEdges(const std::vector<ChainEdge>& edges, const std::vector<Record>& records,
+                  const std::vector<EndNumbers>& ends) {
+        if (view_.directional)
+            addToSun(edges, records, ends);
+        else
+            addToLamp(edges, records, ends);
     }
 
     void addUncertain(const std::array<glm::dvec3, 3>& corners) {
@@ -79,60 +92,96 @@ class BatchDrawing {
         }
     }
 
-    /// Call this last.
+    /// Call these last.
+    void findStarts() {
+        paths_.findStarts([&](std::size_t segment, int starts) {
+            if (view_.directional)
+                faces_[0].segments[segment].starts = starts;
+            else
+                faces_[segment % faceCount].drawn[segment / faceCount].starts = starts;
+        });
+    }
     void addError() {
-        for (std::size_t face = 0; face < faces_.size(); ++face) {
-            const double error = 3.0 * rays_.rounding / nearest_[face];
-            addError(error, faces_[face]);
-        }
-        if (sunRays_) addError(3.0 * sunRays_->rounding(), faces_[0]);
+        if (sunRays_) return addError(sunError(), faces_[0]);
+        for (std::size_t face = 0; face < faces_.size(); ++face)
+            addError(lampError(1.0 / nearest_[face]), faces_[face]);
     }
 
   private:
     template <class Record, class Use>
     static void forEachEdge(const std::vector<ChainEdge>& edges, const std::vector<Record>& records,
-                            Use use) {
+                            const std::vector<EndNumbers>& ends, Use use) {
         constexpr std::size_t ahead = 16;
         for (std::size_t i = 0; i < edges.size(); ++i) {
-            if (i + ahead < edges.size()) prefetch(records[edges[i + ahead].record]);
-            use(records[edges[i].record], edges[i].weight);
+            if (i + ahead < edges.size()) {
+                prefetch(records[edges[i + ahead].record]);
+                prefetch(ends[edges[i + ahead].record]);
+            }
+            use(edges[i].record, edges[i].weight);
         }
     }
 
     template <class Record>
-    void addToSun(const std::vector<ChainEdge>& edges, const std::vector<Record>& records) {
+    void addToSun(const std::vector<ChainEdge>& edges, const std::vector<Record>& records,
+                  const std::vector<EndNumbers>& numbers) {
         FaceChain& face = faces_[0];
         if (edges.empty()) return;
         Floats low = all(INFINITY), high = all(-INFINITY);
         std::size_t size = face.segments.size();
         face.segments.resize(size + edges.size());
-        forEachEdge(edges, records, [&](const Record& record, int weight) {
-            const Floats ends = sunRays_->to(record.a, record.b);
+        FaceSegment* const segments = face.segments.data();
+        const int turn = turn_[0];
+        const float leastRise = leastRiseOf<float>(sunError());
+        ChainPaths::Adding adding(paths_);
+        forEachEdge(edges, records, numbers, [&](std::uint32_t i, int weight) {
+            const Floats ends = sunRays_->to(records[i].a, records[i].b);
             low = lesser(ends, low);
             high = greater(ends, high);
             // Without a branch, as nothing predicts it.
             const int down = ends[1] > ends[3];
             const Floats turned{ends[2], ends[3], ends[0], ends[1]};
             const Floats upward = all(ends[1]) > all(ends[3]) ? turned : ends;
-            FaceSegment& segment = face.segments[size++];
+            const auto [a, b] = numbers[i];
+            const int upwardWeight = turn * weight * (1 - 2 * down);
+            FaceSegment& segment = segments[size];
             std::memcpy(&segment, &upward, sizeof(upward));
-            segment.weight = turn_[0] * weight * (1 - 2 * down);
+            segment.weight = static_cast<std::int16_t>(upwardWeight);
+            segment.level = upward[3] - upward[1] <= leastRise;
+            const std::uint32_t change = (a ^ b) & static_cast<std::uint32_t>(-down);
+            adding.add(a ^ change, b ^ change, upwardWeight, size++);
         });
         face.reached.add({std::min(low[0], low[2]), std::max(high[0], high[2]),
                           std::min(low[1], low[3]), std::max(high[1], high[3])});
     }
 
+    double sunError() const { return 3.0 * std::max(sunRays_->rounding(), rays_.rounding); }
+    /// The error of a place on a lamp's face. `perDepth`: one divided by its depth.
+    double lampError(double perDepth) const { return 3.0 * rays_.rounding * perDepth; }
+
     static void addError(double error, FaceChain& face) {
         face.error = std::isfinite(error) ? std::max(face.error, error) : INFINITY;
     }
 
-    void addEdge(const glm::dvec3& a, const glm::dvec3& b, int weight) {
-        const int face = faceAround(a);
-        if (face >= 0 && face == faceAround(b))
-            return project(static_cast<std::size_t>(face), onFace(face, a), onFace(face, b),
-                           weight);
-        for (int of = 0; of < 6; ++of)
-            addCut(of, onFace(of, a), onFace(of, b), weight);
+    template <class Record>
+    void addToLamp(const std::vector<ChainEdge>& edges, const std::vector<Record>& records,
+                   const std::vector<EndNumbers>& numbers) {
+        ChainPaths::Adding adding(paths_);
+        forEachEdge(edges, records, numbers, [&](std::uint32_t i, int weight) {
+            const glm::dvec3 a = rays_.to(records[i].a), b = rays_.to(records[i].b);
+            const int around = faceAround(a);
+            if (around < 0 || around != faceAround(b)) return addCut(a, b, weight);
+            const auto face = static_cast<std::size_t>(around);
+            std::vector<DrawnSegment>& drawn = faces_[face].drawn;
+            const bool down = project(face, onFace(around, a), onFace(around, b), weight);
+            adding.add(numbers[i][down ? 1 : 0], numbers[i][down ? 0 : 1], drawn.back().weight,
+                       faceCount * (drawn.size() - 1) + face);
+        });
+    }
+
+    /// Adds the parts of an edge that isn't on one face alone. Each is a path by itself.
+    void addCut(const glm::dvec3& a, const glm::dvec3& b, int weight) {
+        for (int face = 0; face < static_cast<int>(faceCount); ++face)
+            addCut(face, onFace(face, a), onFace(face, b), weight);
     }
 
     /// A ray by a face's axes; its place on the face is (x, y) / z.
@@ -166,29 +215,42 @@ class BatchDrawing {
         const glm::dvec3 to = last < 1.0 ? a + last * (b - a) : b;
         const auto of = static_cast<std::size_t>(face);
         const double depth = std::min(from.z, to.z);
-        const double mixed = mixRounding * (largestComponent(a) + largestComponent(b)) / depth;
-        faces_[of].error = depth > 0.0 ? std::max(faces_[of].error, 3.0 * mixed) : INFINITY;
-        if (depth > 0.0) project(of, from, to, weight);
+        const double mixed =
+            3.0 * mixRounding * (largestComponent(a) + largestComponent(b)) / depth;
+        faces_[of].error = depth > 0.0 ? std::max(faces_[of].error, mixed) : INFINITY;
+        if (!(depth > 0.0)) return;
+        project(of, from, to, weight, mixed);
+        DrawnSegment& drawn = faces_[of].drawn.back();
+        drawn.starts = std::max<int>(drawn.weight, 0);
     }
 
-    void project(std::size_t face, const glm::dvec3& a, const glm::dvec3& b, int weight) {
+    /// `error`: of ends on the face, beyond that of vertices. Returns whether the segment runs from
+    /// b to a.
+    bool project(std::size_t face, const glm::dvec3& a, const glm::dvec3& b, int weight,
+                 double error = 0.0) {
         nearest_[face] = std::min({nearest_[face], a.z, b.z});
-        put(face, glm::dvec2(a) * (1.0 / a.z), glm::dvec2(b) * (1.0 / b.z), weight);
+        const double perA = 1.0 / a.z, perB = 1.0 / b.z;
+        return put(face, glm::dvec2(a) * perA, glm::dvec2(b) * perB, weight,
+                   lampError(std::max(perA, perB)) + error);
     }
 
-    void put(std::size_t of, const glm::dvec2& from, const glm::dvec2& to, int weight) {
+    bool put(std::size_t of, const glm::dvec2& from, const glm::dvec2& to, int weight,
+             double error) {
         FaceChain& face = faces_[of];
         // Without a branch, as nothing predicts it.
         const std::array<glm::dvec2, 2> ends{from, to};
         const int down = from.y > to.y;
-        face.drawn.push_back({ends[static_cast<std::size_t>(down)],
-                              ends[static_cast<std::size_t>(1 - down)],
-                              turn_[of] * weight * (1 - 2 * down)});
+        DrawnSegment& drawn = face.drawn.emplace_back();
+        drawn.from = ends[static_cast<std::size_t>(down)];
+        drawn.to = ends[static_cast<std::size_t>(1 - down)];
+        drawn.weight = static_cast<std::int16_t>(turn_[of] * weight * (1 - 2 * down));
+        drawn.level = std::abs(to.y - from.y) <= leastRiseOf<double>(2.0 * error);
         Outline& reached = face.reached;
         reached.u0 = std::min({reached.u0, from.x, to.x});
         reached.u1 = std::max({reached.u1, from.x, to.x});
         reached.v0 = std::min({reached.v0, from.y, to.y});
         reached.v1 = std::max({reached.v1, from.y, to.y});
+        return down != 0;
     }
     static void put(FaceChain& face, const FacePolygon& polygon) {
         face.uncertain.push_back(polygon);
@@ -197,6 +259,7 @@ class BatchDrawing {
 
     const LightView& view_;
     const RaysOfBatch& rays_;
+    ChainPaths& paths_;
     std::vector<FaceChain>& faces_;
     std::optional<SunRays> sunRays_;  ///< of a directional light
     std::array<int, 6> turn_{};       ///< by face: sign of an upward edge's weight
@@ -208,9 +271,18 @@ class BatchDrawing {
 void settle(FaceChain& face) {
     if (face.drawn.empty() && face.uncertain.empty()) return;
     face.frame = FaceFrame::around(face.reached);
-    for (const DrawnSegment& drawn : face.drawn)
-        face.segments.push_back({glm::vec2(face.frame.to(drawn.from)),
-                                 glm::vec2(face.frame.to(drawn.to)), drawn.weight});
+    const auto leastRise = leastRiseOf<float>(2.0 * 3.0 * placeRounding);
+    face.segments.resize(face.drawn.size());
+    for (std::size_t i = 0; i < face.drawn.size(); ++i) {
+        const DrawnSegment& drawn = face.drawn[i];
+        FaceSegment& segment = face.segments[i];
+        segment.from = glm::vec2(face.frame.to(drawn.from));
+        segment.to = glm::vec2(face.frame.to(drawn.to));
+        segment.starts = drawn.starts;
+        segment.weight = drawn.weight;
+        // Both errors together are at most twice the larger one.
+        segment.level = drawn.level | (segment.to.y - segment.from.y <= leastRise);
+    }
     for (FacePolygon& polygon : face.uncertain)
         for (std::size_t i = 0; i < polygon.count; ++i)
             polygon.corners[i] = face.frame.to(polygon.corners[i]);
@@ -221,14 +293,15 @@ void settle(FaceChain& face) {
 }
 
 void drawChain(const LightView& view, const RaysOfBatch& rays, const CasterChain& chain,
-               const SeenCasters& seen, std::vector<FaceChain>& faces) {
-    BatchDrawing drawing(view, rays, chain.bounds(), faces);
-    drawing.addEdges(seen.pairs, chain.shadow().pairs);
-    drawing.addEdges(seen.singles, chain.shadow().singles);
+               const SeenCasters& seen, ChainPaths& paths, std::vector<FaceChain>& faces) {
+    BatchDrawing drawing(view, rays, chain, seen, paths, faces);
+    drawing.addEdges(seen.pairs, chain.shadow().pairs, chain.vertices().pairs);
+    drawing.addEdges(seen.singles, chain.shadow().singles, chain.vertices().singles);
     for (const std::uint32_t cap : seen.uncertain) {
         const CapRecord& of = chain.shadow().caps[cap];
         drawing.addUncertain({rays.to(of.a), rays.to(of.b), rays.to(of.c)});
     }
+    drawing.findStarts();
     drawing.addError();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "src/shadow/layers/caster_chain.hpp"
+#include "src/shadow/layers/chain_paths.hpp"
 #include "src/shadow/layers/rays_of_batch.hpp"
 
 #include <vector>
@@ -10,13 +11,18 @@ namespace edgeshade {
 /// An edge of the casters' chain in a face's frame (docs/method.md, C48), upwards: from.y <= to.y.
 struct FaceSegment {
     glm::vec2 from, to;
-    int weight; ///< a point just to its right counts this many triangles more than one to its left
+    int starts; ///< number of ChainPaths that start at its lower end, for one segment there
+    std::int16_t weight; ///< a point just to its right counts this many triangles more than one
+                         ///< to its left; -2 to 2
+    bool level;          ///< its exact place may fall from `from` to `to`
 };
 
 /// The same on a point light's face itself.
 struct DrawnSegment {
     glm::dvec2 from, to;
-    int weight;
+    int starts;
+    std::int16_t weight;
+    bool level; ///< it rises by less than twice as much as its exact place may fall
 };
 
 /// The casters' chain on one face of a light. It is complete for directions within the face, with a
@@ -45,9 +51,10 @@ struct FaceChain {
 };
 
 /// Draws onto the faces of `view` what a light sees of a batch. A directional light's face has its
-/// frame already, which the rays have entered. Call settle() after the last batch.
+/// frame already, which the rays have entered. Call settle() after the last batch. `paths`: its
+/// memory is reused.
 void drawChain(const LightView& view, const RaysOfBatch& rays, const CasterChain& chain,
-               const SeenCasters& seen, std::vector<FaceChain>& faces);
+               const SeenCasters& seen, ChainPaths& paths, std::vector<FaceChain>& faces);
 
 /// Gives a point light's face the frame of all that is drawn on it.
 void settle(FaceChain& face);

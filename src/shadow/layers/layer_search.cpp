@@ -117,7 +117,7 @@ std::span<LayerSearch::LitBatch> LayerSearch::beginFaces(const LightView& view,
 
 void LayerSearch::lookAndDraw(const LightView& view, const LitBatch& of) {
     of.chain->look(of.light, of.reach, *of.followed, seen_);
-    drawChain(view, of.rays, *of.chain, seen_, faces_);
+    drawChain(view, of.rays, *of.chain, seen_, paths_, faces_);
 }
 
 std::span<LayerSearch::LitBatch> LayerSearch::findLit(const LightView& view,
@@ -144,7 +144,7 @@ std::span<LayerSearch::LitBatch> LayerSearch::findLit(const LightView& view,
         of.chain = chain.get();
         of.followed = &followed.of;
         of.rays = RaysOfBatch(view, worldFromBatch, chain->size());
-        of.batchFromWorld = glm::inverse(glm::dmat3(worldFromBatch));
+        of.batchFromRays = glm::inverse(glm::dmat3(worldFromBatch)) * glm::transpose(view.axes);
         ++count;
     }
     return std::span(lit_).first(count);
@@ -162,7 +162,7 @@ void LayerSearch::enterFrame(std::span<LitBatch> batches, FaceChain& face) {
 int LayerSearch::countAlong(const glm::dvec3& direction, std::span<const LitBatch> batches) {
     int met = 0;
     for (const LitBatch& of : batches) {
-        of.chain->findCapsAlong(of.light, of.batchFromWorld * direction, of.reach, caps_);
+        of.chain->findCapsAlong(of.light, of.batchFromRays * direction, of.reach, caps_);
         met += trianglesAlong(direction, of.rays, *of.chain, of.followed->facings(), caps_);
     }
     return met;

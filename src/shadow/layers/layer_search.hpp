@@ -76,7 +76,7 @@ class LayerSearch {
         LightInBatch light{};
         CasterReach reach{};
         RaysOfBatch rays{};
-        glm::dmat3 batchFromWorld{1.0}; ///< of directions
+        glm::dmat3 batchFromRays{1.0}; ///< of a point light
     };
     /// Empties the light's faces. Returns the batches that it may see, in lit_, until the next
     /// call.
@@ -98,6 +98,7 @@ class LayerSearch {
     std::vector<glm::dvec4> planes_; ///< findPlanesBetween()
     std::vector<LitBatch> lit_;
     SeenCasters seen_;
+    ChainPaths paths_;
     std::vector<FaceChain> faces_;
     std::vector<std::uint32_t> caps_; ///< along a ray
     FaceBound bound_;

@@ -23,20 +23,13 @@ FaceFrame FaceFrame::around(const Outline& outline) {
 }
 
 RaysOfBatch::RaysOfBatch(const LightView& view, const glm::dmat4& worldFromBatch, double size)
-    : linear(worldFromBatch), offset(glm::dvec3(worldFromBatch[3]) - view.position),
-      mirrors(glm::determinant(linear) < 0.0) {
-    const glm::dvec3 place(worldFromBatch[3]);
-    if (view.directional) {
-        const glm::dmat3 axes =
-            glm::transpose(glm::dmat3(view.across, view.upward, glm::dvec3(0.0)));
-        linear = axes * linear;
-        offset = glm::dvec3(glm::dot(view.across, place), glm::dot(view.upward, place), 1.0);
-    }
+    : linear(view.axes * glm::dmat3(worldFromBatch)), offset(view.rayTo(worldFromBatch[3])),
+      mirrors(glm::determinant(glm::dmat3(worldFromBatch)) < 0.0) {
     double largest = 0.0;
     for (glm::length_t i = 0; i < 3; ++i)
         largest += largestComponent(glm::dvec3(worldFromBatch[i]));
-    const double light = view.directional ? 0.0 : largestComponent(view.position);
-    rounding = 0x1p-48 * (largest * size + largestComponent(place) + light);
+    rounding = 0x1p-48 * (largest * size + largestComponent(glm::dvec3(worldFromBatch[3])) +
+                          largestComponent(view.origin));
 }
 
 Outline RaysOfBatch::outlineOf(const Box& box) const {

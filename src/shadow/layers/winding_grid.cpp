@@ -21,29 +21,47 @@ int ceiling(float cells) {
 /// The same as Growths, of one segment.
 class Growth {
   public:
-    Growth(const glm::vec2& from, const glm::vec2& to, int weight, float rounding, int side)
-        : from_(from), along_(to - from), toRight_(std::max(weight, 0)),
-          toLeft_(std::max(-weight, 0)) {
+    Growth(const glm::vec2& from, const glm::vec2& to, int weight, int starts, bool level,
+           float rounding, int side)
+        : from_(from), to_(to), along_(to - from), rounding_(rounding), starts_(starts),
+          paths_(std::max(weight, 0)), weight_(std::abs(weight)) {
         const float length = std::abs(along_.x) + along_.y;
         near_ = (2.0f * rounding + sideRounding * (length + static_cast<float>(side))) * length;
+        if (level)
+            level_ = border_ = weight_;
+        else if (along_.x >= -rounding)
+            border_ = weight_ - paths_;
     }
 
-    /// Above 0 to its left, and below 0 to its right, in multiples of its length.
-    float sideOf(int row, int column) const {
-        return along_.x * (static_cast<float>(row) - from_.y) -
-               along_.y * (static_cast<float>(column) - from_.x);
+    int within(int row, int column) const {
+        const float x = static_cast<float>(column), y = static_cast<float>(row);
+        const bool startsHere = from_.x + rounding_ >= x && from_.x - rounding_ < x + 1.0f &&
+                                from_.y + rounding_ >= y && from_.y - rounding_ < y + 1.0f;
+        if (startsHere) return level_ + starts_;
+        const bool passesLeft = from_.x + rounding_ < x && to_.x - rounding_ > x &&
+                                sideOf(x, y) < -near_ && sideOf(x, y + 1.0f) > near_;
+        return level_ + (passesLeft ? 0 : paths_);
     }
-    bool isNear(float side) const { return std::abs(side) <= near_; }
-    int from(float side) const {
-        // Without branches, as nothing predicts them.
-        const int left = side > near_, right = side < -near_;
-        return left * toRight_ + right * toLeft_ + (1 - left - right) * 2 * (toRight_ + toLeft_);
+    int acrossLeft(int row, int column) const {
+        return border_ + (isNear(row, column) ? weight_ : 0);
+    }
+    bool isNear(int row, int column) const {
+        const float x = static_cast<float>(column), y = static_cast<float>(row);
+        return std::abs(sideOf(x, y)) <= near_ && y >= from_.y - rounding_ &&
+               y <= to_.y + rounding_;
     }
 
   private:
-    glm::vec2 from_, along_;
-    int toRight_, toLeft_; ///< growth when it is crossed in that direction
-    float near_;           ///< a corner with this side may be on either side
+    /// Above 0 to its left, and below 0 to its right, in multiples of its length.
+    float sideOf(float x, float y) const {
+        return along_.x * (y - from_.y) - along_.y * (x - from_.x);
+    }
+
+    glm::vec2 from_, to_, along_;
+    float rounding_;
+    float near_ = 0.0f; ///< corners with this side of the segment may be on either side of it
+    int starts_, paths_, weight_;
+    int level_ = 0, border_ = 0;
 };
 
 } // namespace
@@ -80,7 +98,7 @@ void WindingGrid::add(std::span<const FaceSegment> segments, std::vector<int>& p
         const Floats x = __builtin_convertvector(column, Floats);
         const Floats y = __builtin_convertvector(row, Floats);
         const Ints within = (left > x) & (bottom > y) & (right < x + 1.0f) & (top < y + 1.0f);
-        const Ints growth = within & Growths(pieces, rounding, side_).from(x, y);
+        const Ints growth = within & (pieces.starts + pieces.ifLevel());
         const Ints cell = (row << depth_) + column;
         const Ints only = (cell & within) | (all(elsewhere()) & ~within);
         std::memcpy(&places[i], &only, sizeof(only));
@@ -136,17 +154,27 @@ void WindingGrid::addAcross(std::span<const FaceSegment> segments, const std::ui
     const auto reachesRight = [&](Floats other) {
         return lesser(greater(at, other) + slack, most) + rounding >= nextX;
     };
-    const Ints two = small & (top >= nextY);
+    const Ints two = small & (top >= nextY), one = ~two;
+    const Ints lowLeft = small & (one | reachesLeft(pieces.fromX));
+    const Ints lowRight = small & ((one & (right >= nextX)) | (two & reachesRight(pieces.fromX)));
+    const Ints highLeft = two & reachesLeft(pieces.toX);
+    const Ints highRight = two & reachesRight(pieces.toX);
     const Growths growths(pieces, rounding, side_);
-    const Ints lowLeft = small & growths.from(x, y);
-    const Ints lowRight = small & growths.from(nextX, y);
-    const Ints highLeft = two & growths.from(x, nextY);
-    const Ints highRight = two & growths.from(nextX, nextY);
-    const Ints one = ~two;
-    const Ints grow[4] = {lowLeft & (one | reachesLeft(pieces.fromX)),
-                          lowRight &
-                              ((one & (right >= nextX)) | (two & reachesRight(pieces.fromX))),
-                          highLeft & reachesLeft(pieces.toX), highRight & reachesRight(pieces.toX)};
+    const Ints fromLeft = pieces.fromX - rounding < nextX,
+               fromLow = pieces.fromY - rounding < nextY;
+    const Ints fromRight = pieces.fromX + rounding >= nextX;
+    const Ints fromHigh = pieces.fromY + rounding >= nextY;
+    const Floats low = growths.sideOf(nextX, y), middle = growths.sideOf(nextX, nextY);
+    const Floats high = growths.sideOf(nextX, nextY + 1.0f);
+    const Ints passes = ~fromRight & (pieces.toX - rounding > nextX);
+    const Ints none = all(0);
+    const Ints grow[4] = {
+        lowLeft & growths.within(fromLow & fromLeft, none),
+        lowRight & (growths.within(fromLow & fromRight, passes & growths.between(low, middle)) +
+                    (lowLeft & growths.acrossLeft())),
+        highLeft & growths.within(fromHigh & fromLeft, none),
+        highRight & (growths.within(fromHigh & fromRight, passes & growths.between(middle, high)) +
+                     (highLeft & growths.acrossLeft(middle)))};
     const Ints weight = crosses & pieces.weight;
     const Ints cell = (row << depth_) + column;
     const auto side = static_cast<std::size_t>(side_);
@@ -194,19 +222,23 @@ void WindingGrid::addCrossings(const Piece& piece, float slope) {
 }
 
 void WindingGrid::addGrowth(const Piece& piece, float slope) {
-    const Growth growth(piece.from, piece.to, piece.weight, rounding_, side_);
+    const Growth growth(piece.from, piece.to, piece.weight, piece.starts, piece.level, rounding_,
+                        side_);
+    const bool fromOutside = piece.left < rounding_;
     forEachSpan(piece, slope, [&](int row, int left, int right) {
+        const int firstBorder = left == 0 && fromOutside ? 0 : left + 1;
         for (int column = left; column <= right; ++column)
-            cells_[at(row, column)].growth += growth.from(growth.sideOf(row, column));
+            cells_[at(row, column)].growth +=
+                growth.within(row, column) +
+                (column >= firstBorder ? growth.acrossLeft(row, column) : 0);
     });
     // It may pass the first corner on another side than it did in the grid that `start` is from.
-    if (piece.left < rounding_ && piece.right > -rounding_ && piece.from.y < rounding_ &&
-        piece.to.y > -rounding_ && growth.isNear(growth.sideOf(0, 0)))
+    if (piece.left < rounding_ && piece.right > -rounding_ && growth.isNear(0, 0))
         atStart_ += std::abs(piece.weight);
 }
 
-void WindingGrid::sum(int start) {
-    int atBorder = start + atStart_;
+void WindingGrid::sum(int start, bool isRaised) {
+    int atBorder = start + (isRaised ? 0 : atStart_);
     for (int row = 0; row < side_; ++row) {
         atBorder += border_[static_cast<std::size_t>(row)];
         int count = atBorder;

@@ -14,8 +14,9 @@ namespace edgeshade {
 
 /// A rectangle on a light's face in equal cells. It bounds how many triangles lines through each
 /// cell meet: the winding number of the chain at the cell's lower left corner, and the most by
-/// which it grows across the edges that touch the cell (docs/method.md, C48). Call add() with all
-/// segments that touch the rectangle, then sum(). It computes in floats, four segments at once.
+/// which it grows along the left border and from there across the paths that touch the cell
+/// (docs/method.md, C48). Call add() with all segments that touch the rectangle, then sum(). It
+/// computes in floats, four segments at once.
 class WindingGrid {
   public:
     WindingGrid() = default;
@@ -34,8 +35,9 @@ class WindingGrid {
     static constexpr int inSquare(int cell) { return ~cell; } ///< its own inverse
     int elsewhere() const { return inSquare(side_ * side_); }
     /// `start`: the count just below and to the left of the rectangle's lower left corner. It is
-    /// raised by the weights of segments that may be on either side of that corner.
-    void sum(int start);
+    /// raised by the weights of segments that may be on either side of that corner, unless it
+    /// `isRaised` already: it comes from a coarser grid that has the same first corner.
+    void sum(int start, bool isRaised = false);
 
     int side() const { return side_; }
     /// The count at a cell's lower left corner, for a chain that is bent by no more than rounding.
@@ -75,7 +77,8 @@ class WindingGrid {
     struct Piece {
         glm::vec2 from, to;
         float left, right; ///< least and largest x
-        int weight;
+        int weight, starts;
+        bool level;
 
         /// Horizontal cells per vertical cell; 0 if it is nearly level.
         float slope() const {
@@ -90,7 +93,13 @@ class WindingGrid {
     Piece inCells(const FaceSegment& segment) const {
         const glm::vec2 from = (segment.from - low_) * perUnit_;
         const glm::vec2 to = (segment.to - low_) * perUnit_;
-        return {from, to, std::min(from.x, to.x), std::max(from.x, to.x), segment.weight};
+        return {from,
+                to,
+                std::min(from.x, to.x),
+                std::max(from.x, to.x),
+                segment.weight,
+                segment.starts,
+                segment.level};
     }
     bool misses(const Piece& piece) const {
         const float end = static_cast<float>(side_) + rounding_;

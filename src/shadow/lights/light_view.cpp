@@ -3,6 +3,8 @@
 #include "src/shadow/geometry/vectors.hpp"
 
 #include <array>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace edgeshade {
 
@@ -15,16 +17,25 @@ std::span<const glm::dmat3> facesOf(bool directional) {
     return six;
 }
 
+/// A point light's: a rotation about no axis of the world.
+glm::dmat3 pointAxes() {
+    static const glm::dmat3 turned(glm::rotate(glm::dmat4(1.0), 0.7, glm::dvec3(1.0, 2.0, 3.0)));
+    return turned;
+}
+
+glm::dmat3 directionalAxes(const glm::dvec3& toLight) {
+    const auto along = axesAlong(toLight);
+    const double cosine = std::cos(0.47), sine = std::sin(0.47);
+    return glm::transpose(glm::dmat3(cosine * along[0] - sine * along[1],
+                                     -sine * along[0] - cosine * along[1], glm::dvec3(0.0)));
+}
+
 } // namespace
 
 LightView::LightView(const Light& light)
-    : directional(light.position.w == 0.0), position(light.position),
+    : directional(light.position.w == 0.0), origin(directional ? glm::dvec3(0.0) : light.position),
       range(light.hasRange() ? light.range : std::numeric_limits<double>::infinity()),
-      faces(facesOf(directional)) {
-    if (!directional) return;
-    const auto axes = axesAlong(unitOf(position));
-    across = axes[0];
-    upward = -axes[1];
-}
+      axes(directional ? directionalAxes(unitOf(light.position)) : pointAxes()),
+      faces(facesOf(directional)) {}
 
 } // namespace edgeshade

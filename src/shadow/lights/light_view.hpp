@@ -9,13 +9,13 @@ namespace edgeshade {
 
 /// The scene as seen by a light: rays to its points. A point light uses the six faces of a cube
 /// around it; a directional light one plane across its direction, where a ray is the point (x, y,
-/// 1).
+/// 1). Both are turned, so that edges along the world's axes run along no axis of a face.
 struct LightView {
     explicit LightView(const Light& light);
 
     glm::dvec3 rayTo(const glm::dvec3& world) const {
-        return directional ? glm::dvec3(glm::dot(across, world), glm::dot(upward, world), 1.0)
-                           : world - position;
+        const glm::dvec3 ray = axes * (world - origin);
+        return directional ? glm::dvec3(ray.x, ray.y, 1.0) : ray;
     }
     /// The full extent of a face.
     Outline wholeFace() const {
@@ -24,9 +24,9 @@ struct LightView {
     }
 
     bool directional;
-    glm::dvec3 position; ///< of a point light
-    double range;        ///< of a point light; casters beyond it shade nothing that it reaches
-    glm::dvec3 across{0.0}, upward{0.0};
+    glm::dvec3 origin; ///< the place of a point light, or the world's
+    double range;      ///< of a point light; casters beyond it shade nothing that it reaches
+    glm::dmat3 axes;   ///< from the world to rays; to (x, y, 0) for a directional light
     std::span<const glm::dmat3> faces; ///< one, or six; of tables that stay
 };
 

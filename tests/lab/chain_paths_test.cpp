@@ -1,0 +1,131 @@
+#include "preprocess/volumes/plane_pair_data.hpp"
+#include "src/shadow/layers/chain_paths.hpp"
+#include "tests/support/generated_meshes.hpp"
+#include "tests/support/hard_lights.hpp"
+
+#include <cmath>
+#include <cstring>
+#include <gtest/gtest.h>
+#include <map>
+#include <set>
+
+namespace edgeshade {
+namespace {
+
+using test::Random;
+
+/// The bits of a place.
+std::array<std::uint32_t, 3> bitsOf(const glm::vec3& place) {
+    std::array<std::uint32_t, 3> bits{};
+    std::memcpy(bits.data(), &place, sizeof(place));
+    return bits;
+}
+
+/// Finds out which places have which numbers.
+struct Numbered {
+    std::map<std::array<std::uint32_t, 3>, std::set<std::uint32_t>> ofPlace;
+    std::map<std::uint32_t, std::set<std::array<std::uint32_t, 3>>> places;
+
+    template <class Record>
+    void add(const std::vector<Record>& records, const std::vector<EndNumbers>& ends,
+             const RecordRange& range) {
+        for (std::uint32_t i = range.first; i < range.end(); ++i)
+            for (const auto& [place, number] :
+                 {std::pair(records[i].a, ends[i][0]), std::pair(records[i].b, ends[i][1])}) {
+                ofPlace[bitsOf(place)].insert(number);
+                places[number].insert(bitsOf(place));
+            }
+    }
+};
+
+PlanePairShadow recordsOf(const test::Soup& soup) {
+    CasterMesh mesh;
+    mesh.welded = weld(soup.positions, soup.indices);
+    mesh.groups = {{0, 0, static_cast<std::uint32_t>(mesh.welded.triangles.size())}};
+    return buildPlanePairs(mesh, buildEdges(mesh.welded), {Material()});
+}
+
+TEST(EdgeVertices, HaveANumberForEachPlaceOfACluster) {
+    for (const test::Soup& soup :
+         {test::hillyGrid(800), test::manyBoxes(400), test::tangle(300), test::Soup{}}) {
+        const PlanePairShadow shadow = recordsOf(soup);
+        const EdgeVertices vertices(shadow);
+        ASSERT_EQ(vertices.pairs.size(), shadow.pairs.size());
+        ASSERT_EQ(vertices.singles.size(), shadow.singles.size());
+        std::set<std::uint32_t> earlier;
+        for (const ShadowCluster& cluster : shadow.clusters) {
+            Numbered numbered;
+            numbered.add(shadow.pairs, vertices.pairs, cluster.pairs);
+            numbered.add(shadow.singles, vertices.singles, cluster.singles);
+            for (const auto& [place, numbers] : numbered.ofPlace)
+                EXPECT_EQ(numbers.size(), 1u);
+            for (const auto& [number, places] : numbered.places) {
+                EXPECT_EQ(places.size(), 1u);
+                EXPECT_LT(number, vertices.count);
+                EXPECT_TRUE(earlier.insert(number).second) << "numbers of another cluster";
+            }
+        }
+        EXPECT_EQ(earlier.size(), vertices.count);
+    }
+}
+
+// One component spoils nothing if its places differ in their last bit, or in a zero's sign.
+TEST(EdgeVertices, TellPlacesApartBitByBit) {
+    PlanePairShadow shadow;
+    const float next = std::nextafter(1.0f, 2.0f);
+    for (const glm::vec3& b : {glm::vec3(1, 2, 3), glm::vec3(next, 2, 3), glm::vec3(1, 2, -0.0f),
+                               glm::vec3(1, 2, 0.0f), glm::vec3(2, 1, 3), glm::vec3(1, 2, 3)})
+        shadow.singles.push_back({glm::vec3(0.0f), b, glm::vec4(0.0f)});
+    ShadowCluster cluster;
+    cluster.singles = {0, 6};
+    shadow.clusters = {cluster};
+    const EdgeVertices vertices(shadow);
+    EXPECT_EQ(vertices.count, 6u);
+    EXPECT_EQ(vertices.singles[0], vertices.singles[5]);
+    for (std::size_t i = 1; i < 5; ++i) {
+        EXPECT_EQ(vertices.singles[i][0], vertices.singles[0][0]);
+        EXPECT_NE(vertices.singles[i][1], vertices.singles[0][1]) << i;
+    }
+}
+
+// Each vertex starts as many paths as weights above it exceed those below it.
+TEST(ChainPaths, StartWhereMoreRisesThanComes) {
+    Random random(71);
+    ChainPaths paths;
+    for (int round = 0; round < 200; ++round) {
+        constexpr int vertices = 40;
+        struct Segment {
+            EndNumbers ends;
+            int weight, starts = 0;
+        };
+        std::vector<Segment> segments;
+        for (int i = random.below(120); i > 0; --i)
+            segments.push_back({{static_cast<std::uint32_t>(random.below(vertices)),
+                                 static_cast<std::uint32_t>(random.below(vertices))},
+                                random.below(7) - 3});
+        paths.begin(vertices, segments.size());
+        const std::size_t half = segments.size() / 2;
+        for (const auto& [first, end] :
+             {std::pair(std::size_t{0}, half), std::pair(half, segments.size())}) {
+            ChainPaths::Adding adding(paths);
+            for (std::size_t i = first; i < end; ++i)
+                adding.add(segments[i].ends[0], segments[i].ends[1], segments[i].weight, i);
+        }
+        paths.findStarts([&](std::size_t i, int starts) { segments[i].starts = starts; });
+        std::vector<int> rising(vertices, 0), starts(vertices, 0), told(vertices, 0);
+        for (const Segment& segment : segments) {
+            rising[segment.ends[0]] += std::max(segment.weight, 0);
+            rising[segment.ends[1]] -= std::max(segment.weight, 0);
+            starts[segment.ends[0]] += segment.starts;
+            told[segment.ends[0]] += segment.starts != 0;
+            EXPECT_TRUE(segment.weight > 0 || segment.starts == 0);
+        }
+        for (std::size_t v = 0; v < vertices; ++v) {
+            EXPECT_EQ(starts[v], std::max(rising[v], 0)) << round;
+            EXPECT_LE(told[v], 1) << round;
+        }
+    }
+}
+
+} // namespace
+} // namespace edgeshade
