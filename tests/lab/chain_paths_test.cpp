@@ -88,6 +88,17 @@ TEST(EdgeVertices, TellPlacesApartBitByBit) {
     }
 }
 
+// In a table that is half full many places are beside their own slot.
+TEST(EdgeVertices, TellPlacesOfOneColumnApart) {
+    PlanePairShadow shadow;
+    for (int i = 0; i < 500; ++i)
+        shadow.singles.push_back({glm::vec3(1, 2, i), glm::vec3(1, 2, i + 500), glm::vec4(0.0f)});
+    ShadowCluster cluster;
+    cluster.singles = {0, 500};
+    shadow.clusters = {cluster};
+    EXPECT_EQ(EdgeVertices(shadow).count, 1000u);
+}
+
 // Each vertex starts as many paths as weights above it exceed those below it.
 TEST(ChainPaths, StartWhereMoreRisesThanComes) {
     Random random(71);

@@ -303,8 +303,8 @@ TEST(FaceBound, NoLimitBelowTheTruthHolds) {
 // A small triangle is within two equal ones, whose four sides come from the cell below.
 TEST(FaceBound, ACrowdedCellHasTheSidesFromTheCellBelow) {
     const auto at = [](double x, double y) { return glm::dvec2(x, y); };
-    const Triangle2 large{at(5.5, 4.6), at(5.9, 5.8), at(5.1, 5.8)};
-    const Triangle2 small{at(5.45, 5.5), at(5.55, 5.5), at(5.5, 5.6)};
+    const Triangle2 large{at(5.5, 4.6), at(5.9, 5.8), at(5.1, 5.7)};
+    const Triangle2 small{at(5.45, 5.5), at(5.55, 5.52), at(5.5, 5.6)};
     FaceChain face;
     face.segments = boundaryOf({large, large, small});
     const Outline cells{4, 8, 4, 8}; // the grid has as many
