@@ -27,9 +27,8 @@ struct Numbered {
     std::map<std::uint32_t, std::set<std::array<std::uint32_t, 3>>> places;
 
     template <class Record>
-    void add(const std::vector<Record>& records, const std::vector<EndNumbers>& ends,
-             const RecordRange& range) {
-        for (std::uint32_t i = range.first; i < range.end(); ++i)
+    void add(const std::vector<Record>& records, const std::vector<EndNumbers>& ends) {
+        for (std::size_t i = 0; i < records.size(); ++i)
             for (const auto& [place, number] :
                  {std::pair(records[i].a, ends[i][0]), std::pair(records[i].b, ends[i][1])}) {
                 ofPlace[bitsOf(place)].insert(number);
@@ -45,31 +44,26 @@ PlanePairShadow recordsOf(const test::Soup& soup) {
     return buildPlanePairs(mesh, buildEdges(mesh.welded), {Material()});
 }
 
-TEST(EdgeVertices, HaveANumberForEachPlaceOfACluster) {
+TEST(EdgeVertices, WithOneNumberAreOnePlace) {
     for (const test::Soup& soup :
-         {test::hillyGrid(800), test::manyBoxes(400), test::tangle(300), test::Soup{}}) {
+         {test::hillyGrid(8000), test::manyBoxes(4000), test::tangle(3000), test::Soup{}}) {
         const PlanePairShadow shadow = recordsOf(soup);
         const EdgeVertices vertices(shadow);
         ASSERT_EQ(vertices.pairs.size(), shadow.pairs.size());
         ASSERT_EQ(vertices.singles.size(), shadow.singles.size());
-        std::set<std::uint32_t> earlier;
-        for (const ShadowCluster& cluster : shadow.clusters) {
-            Numbered numbered;
-            numbered.add(shadow.pairs, vertices.pairs, cluster.pairs);
-            numbered.add(shadow.singles, vertices.singles, cluster.singles);
-            for (const auto& [place, numbers] : numbered.ofPlace)
-                EXPECT_EQ(numbers.size(), 1u);
-            for (const auto& [number, places] : numbered.places) {
-                EXPECT_EQ(places.size(), 1u);
-                EXPECT_LT(number, vertices.count);
-                EXPECT_TRUE(earlier.insert(number).second) << "numbers of another cluster";
-            }
+        Numbered numbered;
+        numbered.add(shadow.pairs, vertices.pairs);
+        numbered.add(shadow.singles, vertices.singles);
+        for (const auto& [number, places] : numbered.places) {
+            EXPECT_EQ(places.size(), 1u);
+            EXPECT_LT(number, vertices.count);
         }
-        EXPECT_EQ(earlier.size(), vertices.count);
+        EXPECT_EQ(numbered.places.size(), vertices.count);
+        EXPECT_LE(vertices.count, 1.3 * static_cast<double>(numbered.ofPlace.size()));
     }
 }
 
-// One component spoils nothing if its places differ in their last bit, or in a zero's sign.
+// Places may differ in a last bit, or in a zero's sign.
 TEST(EdgeVertices, TellPlacesApartBitByBit) {
     PlanePairShadow shadow;
     const float next = std::nextafter(1.0f, 2.0f);
@@ -88,7 +82,6 @@ TEST(EdgeVertices, TellPlacesApartBitByBit) {
     }
 }
 
-// In a table that is half full many places are beside their own slot.
 TEST(EdgeVertices, TellPlacesOfOneColumnApart) {
     PlanePairShadow shadow;
     for (int i = 0; i < 500; ++i)

@@ -582,7 +582,7 @@ MUTANTS = (
      "layer_bound_test", "FaceChain.*"),
     ("silhouettes' ends are told apart by two coordinates",
      "src/shadow/layers/edge_vertices.cpp",
-     "&place, sizeof(place)) == 0)", "&place, 2 * sizeof(float)) == 0)",
+     "if (known.bits != bits ||", "if (known.bits[0] != bits[0] || known.bits[1] != bits[1] ||",
      "layer_bound_test", "EdgeVertices.*"),
     ("edges along the world's axes are level on a lamp's faces",
      "src/shadow/lights/light_view.cpp",

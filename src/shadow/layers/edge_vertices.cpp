@@ -1,50 +1,43 @@
 #include "src/shadow/layers/edge_vertices.hpp"
 
-#include <bit>
 #include <cstring>
 
 namespace edgeshade {
 namespace {
 
-/// Numbers places in the order in which they come: a hash table without allocations for each place.
+/// Numbers places, and remembers the last ones, by a table that the first levels of a cache hold.
+/// Neighbouring records share their places.
 class PlaceNumbers {
   public:
-    /// Forgets all places. `most`: of places until the next call. `first`: the next number.
-    void begin(std::size_t most, std::size_t first) {
-        places_.clear();
-        first_ = first;
-        slots_.assign(std::bit_ceil(most + 2), 0); // at least one stays free
-        shift_ = 64 - std::countr_zero(slots_.size());
-    }
-
     std::uint32_t of(const glm::vec3& place) {
-        for (std::size_t at = slotOf(place);; at = (at + 1) & (slots_.size() - 1)) {
-            std::uint32_t& slot = slots_[at];
-            if (slot == 0) {
-                places_.push_back(place);
-                slot = static_cast<std::uint32_t>(places_.size());
-            }
-            if (std::memcmp(&places_[slot - 1], &place, sizeof(place)) == 0)
-                return static_cast<std::uint32_t>(first_) + slot - 1;
-        }
+        Bits bits;
+        std::memcpy(bits.data(), &place, sizeof(place));
+        Known& known = lately_[slotOf(bits)];
+        if (known.bits != bits || known.number == none) known = {bits, next_++};
+        return known.number;
     }
 
-    /// The number after the last one.
-    std::size_t next() const { return first_ + places_.size(); }
+    /// How many numbers there are.
+    std::size_t count() const { return next_; }
 
   private:
-    std::size_t slotOf(const glm::vec3& place) const {
-        std::array<std::uint32_t, 3> bits;
-        std::memcpy(bits.data(), &place, sizeof(place));
+    static constexpr std::uint32_t none = ~std::uint32_t{0};
+    static constexpr int slots = 12; ///< the binary logarithm of their number
+
+    using Bits = std::array<std::uint32_t, 3>;
+    struct Known {
+        Bits bits{};
+        std::uint32_t number = none;
+    };
+
+    static std::size_t slotOf(const Bits& bits) {
         std::uint64_t hash = (std::uint64_t{bits[0]} << 32 | bits[1]) * 0x9E3779B97F4A7C15u;
         hash = (hash ^ (hash >> 32) ^ bits[2]) * 0xC2B2AE3D27D4EB4Fu;
-        return static_cast<std::size_t>(hash >> shift_);
+        return static_cast<std::size_t>(hash >> (64 - slots));
     }
 
-    std::vector<std::uint32_t> slots_; ///< 1 + index in places_; 0: free
-    std::vector<glm::vec3> places_;
-    std::size_t first_ = 0;
-    int shift_ = 63;
+    std::vector<Known> lately_ = std::vector<Known>(std::size_t{1} << slots);
+    std::uint32_t next_ = 0;
 };
 
 template <class Record>
@@ -69,11 +62,10 @@ EdgeVertices::EdgeVertices(const PlanePairShadow& shadow) {
     singles.resize(shadow.singles.size());
     PlaceNumbers numbers;
     for (const ShadowCluster& cluster : shadow.clusters) {
-        numbers.begin(2 * (std::size_t{cluster.pairs.count} + cluster.singles.count), count);
         number(shadow.pairs, cluster.pairs, numbers, pairs);
         number(shadow.singles, cluster.singles, numbers, singles);
-        count = numbers.next();
     }
+    count = numbers.count();
 }
 
 } // namespace edgeshade

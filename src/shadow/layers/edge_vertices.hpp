@@ -13,7 +13,7 @@ namespace edgeshade {
 using EndNumbers = std::array<std::uint32_t, 2>;
 
 /// Numbers the ends of records' edges. Ends with the same number are at the same place, to the bit.
-/// Clusters share no numbers unless the batch deforms.
+/// A place that is in many records, or in records that are far apart, may have several numbers.
 struct EdgeVertices {
     std::vector<EndNumbers> pairs, singles; ///< a and b of each record
     std::size_t count = 0;                  ///< numbers are below this
