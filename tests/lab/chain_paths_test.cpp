@@ -56,10 +56,11 @@ TEST(EdgeVertices, WithOneNumberAreOnePlace) {
         numbered.add(shadow.singles, vertices.singles);
         for (const auto& [number, places] : numbered.places) {
             EXPECT_EQ(places.size(), 1u);
-            EXPECT_LT(number, vertices.count);
+            ASSERT_LT(number, vertices.places.size());
+            EXPECT_EQ(bitsOf(vertices.places[number]), *places.begin());
         }
-        EXPECT_EQ(numbered.places.size(), vertices.count);
-        EXPECT_LE(vertices.count, 1.3 * static_cast<double>(numbered.ofPlace.size()));
+        EXPECT_EQ(numbered.places.size(), vertices.places.size());
+        EXPECT_LE(vertices.places.size(), 1.3 * static_cast<double>(numbered.ofPlace.size()));
     }
 }
 
@@ -74,7 +75,7 @@ TEST(EdgeVertices, TellPlacesApartBitByBit) {
     cluster.singles = {0, 6};
     shadow.clusters = {cluster};
     const EdgeVertices vertices(shadow);
-    EXPECT_EQ(vertices.count, 6u);
+    EXPECT_EQ(vertices.places.size(), 6u);
     EXPECT_EQ(vertices.singles[0], vertices.singles[5]);
     for (std::size_t i = 1; i < 5; ++i) {
         EXPECT_EQ(vertices.singles[i][0], vertices.singles[0][0]);
@@ -89,7 +90,7 @@ TEST(EdgeVertices, TellPlacesOfOneColumnApart) {
     ShadowCluster cluster;
     cluster.singles = {0, 500};
     shadow.clusters = {cluster};
-    EXPECT_EQ(EdgeVertices(shadow).count, 1000u);
+    EXPECT_EQ(EdgeVertices(shadow).places.size(), 1000u);
 }
 
 // Each vertex starts as many paths as weights above it exceed those below it.

@@ -26,7 +26,7 @@ test('every entry exports the version', async () => {
     assert.match(readFileSync(join(site, entry), 'utf8'), /^export \{ version \} from '.*\/version\.js';$/m, entry);
 });
 
-test('WebAssembly and JavaScript together weigh at most 853 KB, compressed', () => {
+test('WebAssembly and JavaScript together weigh at most 855 KB, compressed', () => {
   const parts = {};
   const add = (part, path) => {
     parts[part] = (parts[part] ?? 0) + gzipSync(readFileSync(path), { level: 9 }).length;
@@ -38,7 +38,7 @@ test('WebAssembly and JavaScript together weigh at most 853 KB, compressed', () 
       if (file.endsWith('.js')) add(folder, join(site, folder, file));
   console.log(parts);
   const total = Object.values(parts).reduce((sum, part) => sum + part, 0);
-  assert.ok(total <= 853e3, `${total} bytes`);
+  assert.ok(total <= 855e3, `${total} bytes`);
 });
 
 /** The files that npm packs; `text(path)` and `weight(path, …)` read them. */
@@ -56,13 +56,13 @@ const packed = (() => {
   }
 })();
 
-test('the package is at most 1.73 MB, 4.63 MB unpacked', { skip }, () => {
+test('the package is at most 1.73 MB, 4.64 MB unpacked', { skip }, () => {
   const { size, unpackedSize } = packed;
   console.log(`tarball ${size} bytes, unpacked ${unpackedSize}`);
-  assert.ok(size <= 1.73e6 && unpackedSize <= 4.63e6);
+  assert.ok(size <= 1.73e6 && unpackedSize <= 4.64e6);
 });
 
-test('three.js\' adapter weighs at most 503 KB, its hours of sun 172 KB more when asked for, the element 820 KB, without a bundler, compressed', { skip }, () => {
+test('three.js\' adapter weighs at most 505 KB, its hours of sun 172 KB more when asked for, the element 822 KB, without a bundler, compressed', { skip }, () => {
   const modules = (...folders) => packed.paths.filter((path) => path.endsWith('.js') && folders.some((folder) => path.startsWith(`dist/${folder}/`)));
   const wasm = (name) => [`dist/wasm/${name}.wasm`, `dist/wasm/${name}.mjs`];
   const ofHours = (path) => path.includes('/sun-hours');
@@ -70,7 +70,7 @@ test('three.js\' adapter weighs at most 503 KB, its hours of sun 172 KB more whe
   const hours = packed.weight(...wasm('edgeshade-hours'), ...modules('three').filter(ofHours));
   const element = packed.weight(...wasm('edgeshade'), ...modules('element'));
   console.log(`adapter ${adapter} bytes, hours ${hours}, element ${element}`);
-  assert.ok(adapter <= 503e3 && hours <= 172e3 && element <= 820e3);
+  assert.ok(adapter <= 505e3 && hours <= 172e3 && element <= 822e3);
 });
 
 test('npm packs every entry with its types, workers and WebAssembly', { skip }, () => {

@@ -20,7 +20,7 @@ class ChainPaths {
     };
 
   public:
-    /// `vertices`: EdgeVertices::count. `most`: of segments.
+    /// `vertices`: number of EdgeVertices::places. `most`: of segments.
     void begin(std::size_t vertices, std::size_t most) {
         if (rising_.size() < vertices) rising_.resize(vertices, 0);
         if (rises_.size() <= most) rises_.resize(most + 1);

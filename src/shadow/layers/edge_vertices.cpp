@@ -9,16 +9,18 @@ namespace {
 /// Neighbouring records share their places.
 class PlaceNumbers {
   public:
+    explicit PlaceNumbers(std::vector<glm::vec3>& places) : places_(places) {}
+
     std::uint32_t of(const glm::vec3& place) {
         Bits bits;
         std::memcpy(bits.data(), &place, sizeof(place));
         Known& known = lately_[slotOf(bits)];
-        if (known.bits != bits || known.number == none) known = {bits, next_++};
+        if (known.bits != bits || known.number == none) {
+            known = {bits, static_cast<std::uint32_t>(places_.size())};
+            places_.push_back(place);
+        }
         return known.number;
     }
-
-    /// How many numbers there are.
-    std::size_t count() const { return next_; }
 
   private:
     static constexpr std::uint32_t none = ~std::uint32_t{0};
@@ -37,7 +39,7 @@ class PlaceNumbers {
     }
 
     std::vector<Known> lately_ = std::vector<Known>(std::size_t{1} << slots);
-    std::uint32_t next_ = 0;
+    std::vector<glm::vec3>& places_;
 };
 
 template <class Record>
@@ -49,23 +51,33 @@ void number(const std::vector<Record>& records, const RecordRange& range, PlaceN
     }
 }
 
+template <class Record>
+void place(const std::vector<Record>& records, const std::vector<EndNumbers>& ends,
+           std::vector<glm::vec3>& places) {
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        places[ends[i][0]] = records[i].a;
+        places[ends[i][1]] = records[i].b;
+    }
+}
+
 } // namespace
 
 EdgeVertices::EdgeVertices(const PlanePairShadow& shadow) {
     if (shadow.vertices) {
         pairs = shadow.vertices->pairs;
         singles = shadow.vertices->singles;
-        count = shadow.vertices->inBatch.size();
+        places.resize(shadow.vertices->inBatch.size());
+        place(shadow.pairs, pairs, places);
+        place(shadow.singles, singles, places);
         return;
     }
     pairs.resize(shadow.pairs.size());
     singles.resize(shadow.singles.size());
-    PlaceNumbers numbers;
+    PlaceNumbers numbers(places);
     for (const ShadowCluster& cluster : shadow.clusters) {
         number(shadow.pairs, cluster.pairs, numbers, pairs);
         number(shadow.singles, cluster.singles, numbers, singles);
     }
-    count = numbers.count();
 }
 
 } // namespace edgeshade

@@ -16,7 +16,7 @@ using EndNumbers = std::array<std::uint32_t, 2>;
 /// A place that is in many records, or in records that are far apart, may have several numbers.
 struct EdgeVertices {
     std::vector<EndNumbers> pairs, singles; ///< a and b of each record
-    std::size_t count = 0;                  ///< numbers are below this
+    std::vector<glm::vec3> places;          ///< by number
 
     EdgeVertices() = default;
     /// Linear in the records.

@@ -45,7 +45,7 @@ class BatchDrawing {
                  const SeenCasters& seen, ChainPaths& paths, std::vector<FaceChain>& faces)
         : view_(view), rays_(rays), paths_(paths), faces_(faces) {
         if (view.directional) sunRays_.emplace(rays, chain.bounds());
-        paths.begin(chain.vertices().count, seen.pairs.size() + seen.singles.size());
+        paths.begin(chain.vertices().places.size(), seen.pairs.size() + seen.singles.size());
         nearest_.fill(view.directional ? 1.0 : INFINITY);
         for (std::size_t face = 0; face < faces.size(); ++face) {
             // A point of the chain is to the left of a counter-clockwise triangle's edges. A
@@ -56,14 +56,13 @@ class BatchDrawing {
         }
     }
 
-    /// `Record`: PairRecord or SingleRecord.
-    template <class Record>
-    void addEdges(const std::vector<ChainEdge>& edges, const std::vector<Record>& records,
-                  const std::vector<EndNumbers>& ends) {
+    /// `ends`: of the records, in `places`.
+    void addEdges(const std::vector<ChainEdge>& edges, const std::vector<EndNumbers>& ends,
+                  const std::vector<glm::vec3>& places) {
         if (view_.directional)
-            addToSun(edges, records, ends);
+            addToSun(edges, ends, places);
         else
-            addToLamp(edges, records, ends);
+            addToLamp(edges, ends, places);
     }
 
     void addUncertain(const std::array<glm::dvec3, 3>& corners) {
@@ -108,22 +107,19 @@ class BatchDrawing {
     }
 
   private:
-    template <class Record, class Use>
-    static void forEachEdge(const std::vector<ChainEdge>& edges, const std::vector<Record>& records,
+    /// Calls use(numbers of the ends, weight) for each edge.
+    template <class Use>
+    static void forEachEdge(const std::vector<ChainEdge>& edges,
                             const std::vector<EndNumbers>& ends, Use use) {
         constexpr std::size_t ahead = 16;
         for (std::size_t i = 0; i < edges.size(); ++i) {
-            if (i + ahead < edges.size()) {
-                prefetch(records[edges[i + ahead].record]);
-                prefetch(ends[edges[i + ahead].record]);
-            }
-            use(edges[i].record, edges[i].weight);
+            if (i + ahead < edges.size()) prefetch(ends[edges[i + ahead].record]);
+            use(ends[edges[i].record], edges[i].weight);
         }
     }
 
-    template <class Record>
-    void addToSun(const std::vector<ChainEdge>& edges, const std::vector<Record>& records,
-                  const std::vector<EndNumbers>& numbers) {
+    void addToSun(const std::vector<ChainEdge>& edges, const std::vector<EndNumbers>& numbers,
+                  const std::vector<glm::vec3>& places) {
         FaceChain& face = faces_[0];
         if (edges.empty()) return;
         Floats low = all(INFINITY), high = all(-INFINITY);
@@ -133,15 +129,15 @@ class BatchDrawing {
         const int turn = turn_[0];
         const float leastRise = leastRiseOf<float>(sunError());
         ChainPaths::Adding adding(paths_);
-        forEachEdge(edges, records, numbers, [&](std::uint32_t i, int weight) {
-            const Floats ends = sunRays_->to(records[i].a, records[i].b);
+        forEachEdge(edges, numbers, [&](const EndNumbers& edge, int weight) {
+            const auto [a, b] = edge;
+            const Floats ends = sunRays_->to(places[a], places[b]);
             low = lesser(ends, low);
             high = greater(ends, high);
             // Without a branch, as nothing predicts it.
             const int down = ends[1] > ends[3];
             const Floats turned{ends[2], ends[3], ends[0], ends[1]};
             const Floats upward = all(ends[1]) > all(ends[3]) ? turned : ends;
-            const auto [a, b] = numbers[i];
             const int upwardWeight = turn * weight * (1 - 2 * down);
             FaceSegment& segment = segments[size];
             std::memcpy(&segment, &upward, sizeof(upward));
@@ -162,18 +158,17 @@ class BatchDrawing {
         face.error = std::isfinite(error) ? std::max(face.error, error) : INFINITY;
     }
 
-    template <class Record>
-    void addToLamp(const std::vector<ChainEdge>& edges, const std::vector<Record>& records,
-                   const std::vector<EndNumbers>& numbers) {
+    void addToLamp(const std::vector<ChainEdge>& edges, const std::vector<EndNumbers>& numbers,
+                   const std::vector<glm::vec3>& places) {
         ChainPaths::Adding adding(paths_);
-        forEachEdge(edges, records, numbers, [&](std::uint32_t i, int weight) {
-            const glm::dvec3 a = rays_.to(records[i].a), b = rays_.to(records[i].b);
+        forEachEdge(edges, numbers, [&](const EndNumbers& ends, int weight) {
+            const glm::dvec3 a = rays_.to(places[ends[0]]), b = rays_.to(places[ends[1]]);
             const int around = faceAround(a);
             if (around < 0 || around != faceAround(b)) return addCut(a, b, weight);
             const auto face = static_cast<std::size_t>(around);
             std::vector<DrawnSegment>& drawn = faces_[face].drawn;
             const bool down = project(face, onFace(around, a), onFace(around, b), weight);
-            adding.add(numbers[i][down ? 1 : 0], numbers[i][down ? 0 : 1], drawn.back().weight,
+            adding.add(ends[down ? 1 : 0], ends[down ? 0 : 1], drawn.back().weight,
                        faceCount * (drawn.size() - 1) + face);
         });
     }
@@ -295,8 +290,9 @@ void settle(FaceChain& face) {
 void drawChain(const LightView& view, const RaysOfBatch& rays, const CasterChain& chain,
                const SeenCasters& seen, ChainPaths& paths, std::vector<FaceChain>& faces) {
     BatchDrawing drawing(view, rays, chain, seen, paths, faces);
-    drawing.addEdges(seen.pairs, chain.shadow().pairs, chain.vertices().pairs);
-    drawing.addEdges(seen.singles, chain.shadow().singles, chain.vertices().singles);
+    const EdgeVertices& vertices = chain.vertices();
+    drawing.addEdges(seen.pairs, vertices.pairs, vertices.places);
+    drawing.addEdges(seen.singles, vertices.singles, vertices.places);
     for (const std::uint32_t cap : seen.uncertain) {
         const CapRecord& of = chain.shadow().caps[cap];
         drawing.addUncertain({rays.to(of.a), rays.to(of.b), rays.to(of.c)});
