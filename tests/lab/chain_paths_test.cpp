@@ -83,6 +83,37 @@ TEST(EdgeVertices, TellPlacesApartBitByBit) {
     }
 }
 
+// A deforming batch keeps its numbers, and each pose has places of its own.
+TEST(EdgeVertices, OfAPoseAreAtItsPlaces) {
+    PlanePairShadow shadow = recordsOf(test::hillyGrid(800));
+    const EdgeVertices rest(shadow);
+    auto vertices = std::make_shared<RecordVertices>();
+    vertices->inBatch.resize(rest.places.size());
+    vertices->pairs = rest.pairs;
+    vertices->singles = rest.singles;
+    shadow.vertices = vertices;
+    const auto pose = [](auto& records) {
+        for (auto& record : records)
+            for (glm::vec3* end : {&record.a, &record.b})
+                *end += glm::vec3(0.0f, end->x * end->z, 0.0f);
+    };
+    pose(shadow.pairs);
+    pose(shadow.singles);
+    ASSERT_FALSE(shadow.pairs.empty());
+    ASSERT_FALSE(shadow.singles.empty());
+    const EdgeVertices posed(shadow);
+    EXPECT_EQ(posed.pairs, rest.pairs);
+    EXPECT_EQ(posed.singles, rest.singles);
+    for (std::size_t i = 0; i < shadow.pairs.size(); ++i) {
+        EXPECT_EQ(posed.places[posed.pairs[i][0]], shadow.pairs[i].a);
+        EXPECT_EQ(posed.places[posed.pairs[i][1]], shadow.pairs[i].b);
+    }
+    for (std::size_t i = 0; i < shadow.singles.size(); ++i) {
+        EXPECT_EQ(posed.places[posed.singles[i][0]], shadow.singles[i].a);
+        EXPECT_EQ(posed.places[posed.singles[i][1]], shadow.singles[i].b);
+    }
+}
+
 TEST(EdgeVertices, TellPlacesOfOneColumnApart) {
     PlanePairShadow shadow;
     for (int i = 0; i < 500; ++i)

@@ -542,7 +542,7 @@ MUTANTS = (
      "layer_bound_test", "FaceChain.*"),
     ("silhouettes of a sun rise in their exact places",
      "src/shadow/layers/face_chain.cpp",
-     "segment.level = upward[3] - upward[1] <= leastRise;", "segment.level = leastRise < 0.0f;",
+     "segment.level = static_cast<double>(upward[3] - upward[1]) <= leastRise;", "segment.level = leastRise < 0.0;",
      "layer_bound_test", "FaceChain.*"),
     ("each finer grid raises the first corner that it shares with a coarser one",
      "src/shadow/layers/winding_grid.cpp",

@@ -18,7 +18,6 @@ struct EdgeVertices {
     std::vector<EndNumbers> pairs, singles; ///< a and b of each record
     std::vector<glm::vec3> places;          ///< by number
 
-    EdgeVertices() = default;
     /// Linear in the records.
     explicit EdgeVertices(const PlanePairShadow& shadow);
 };

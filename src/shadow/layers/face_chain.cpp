@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <optional>
 
 namespace edgeshade {
@@ -29,14 +28,9 @@ constexpr double placeRounding = 0x1p-24;
 
 constexpr std::size_t faceCount = 6; ///< of a point light
 
-/// A segment that rises by more than this rises in its exact place. `error`: of its ends; infinite
-/// or no number if that is unknown.
-template <class Number>
-Number leastRiseOf(double error) {
-    constexpr double twice = 2.0001; // and the rounding of the segment's rise
-    return error < std::numeric_limits<float>::max() ? static_cast<Number>(twice * error)
-                                                     : std::numeric_limits<Number>::infinity();
-}
+/// A segment that rises by more than so many of its ends' errors rises in its exact place. Beside
+/// both errors it holds the rounding of the rise.
+constexpr double risingErrors = 2.0001;
 
 /// Draws the edges and triangles of one batch.
 class BatchDrawing {
@@ -101,9 +95,9 @@ class BatchDrawing {
         });
     }
     void addError() {
-        if (sunRays_) return addError(sunError(), faces_[0]);
         for (std::size_t face = 0; face < faces_.size(); ++face)
             addError(lampError(1.0 / nearest_[face]), faces_[face]);
+        if (sunRays_) addError(sunError(), faces_[0]);
     }
 
   private:
@@ -127,7 +121,7 @@ class BatchDrawing {
         face.segments.resize(size + edges.size());
         FaceSegment* const segments = face.segments.data();
         const int turn = turn_[0];
-        const float leastRise = leastRiseOf<float>(sunError());
+        const double leastRise = risingErrors * sunError();
         ChainPaths::Adding adding(paths_);
         forEachEdge(edges, numbers, [&](const EndNumbers& edge, int weight) {
             const auto [a, b] = edge;
@@ -142,7 +136,7 @@ class BatchDrawing {
             FaceSegment& segment = segments[size];
             std::memcpy(&segment, &upward, sizeof(upward));
             segment.weight = static_cast<std::int16_t>(upwardWeight);
-            segment.level = upward[3] - upward[1] <= leastRise;
+            segment.level = static_cast<double>(upward[3] - upward[1]) <= leastRise;
             const std::uint32_t change = (a ^ b) & static_cast<std::uint32_t>(-down);
             adding.add(a ^ change, b ^ change, upwardWeight, size++);
         });
@@ -239,7 +233,7 @@ class BatchDrawing {
         drawn.from = ends[static_cast<std::size_t>(down)];
         drawn.to = ends[static_cast<std::size_t>(1 - down)];
         drawn.weight = static_cast<std::int16_t>(turn_[of] * weight * (1 - 2 * down));
-        drawn.level = std::abs(to.y - from.y) <= leastRiseOf<double>(2.0 * error);
+        drawn.level = std::abs(to.y - from.y) <= 2.0 * risingErrors * error;
         Outline& reached = face.reached;
         reached.u0 = std::min({reached.u0, from.x, to.x});
         reached.u1 = std::max({reached.u1, from.x, to.x});
@@ -266,7 +260,7 @@ class BatchDrawing {
 void settle(FaceChain& face) {
     if (face.drawn.empty() && face.uncertain.empty()) return;
     face.frame = FaceFrame::around(face.reached);
-    const auto leastRise = leastRiseOf<float>(2.0 * 3.0 * placeRounding);
+    constexpr auto leastRise = static_cast<float>(2.0 * risingErrors * 3.0 * placeRounding);
     face.segments.resize(face.drawn.size());
     for (std::size_t i = 0; i < face.drawn.size(); ++i) {
         const DrawnSegment& drawn = face.drawn[i];
