@@ -21,7 +21,7 @@ let server, browser;
 
 before(async () => {
   server = await serve({ [folder]: `${output}/` });
-  browser = await launchChromium();
+  browser = await launchChromium({ angle: 'gl-egl' });
 });
 after(async () => {
   await browser?.close();

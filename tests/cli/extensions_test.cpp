@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <functional>
 #include <gtest/gtest.h>
+#include <map>
 #include <set>
 
 namespace edgeshade::test {
@@ -261,6 +262,15 @@ Drawing draw(const Bytes& glb, const ExtensionRow& row) {
     return drawing;
 }
 
+/// Draws the scene of a row of the table once in this process.
+const Drawing& drawingOf(const ExtensionRow& row) {
+    static std::map<std::string, Drawing> drawings;
+    const auto found = drawings.find(row.name);
+    return found != drawings.end()
+               ? found->second
+               : drawings.emplace(row.name, draw(row.scene(), row)).first->second;
+}
+
 /// The program's output, without the folder and the program's name.
 std::string saidBy(const ProcessResult& result) {
     std::string said = result.status == 0 ? warningsOf(result) : messageOf(result);
@@ -305,8 +315,8 @@ void PrintTo(const ExtensionRow& row, std::ostream* stream) {
 
 TEST_P(ExtensionTest, BecomesWhatIsSaid) {
     const ExtensionRow& row = GetParam();
-    const Bytes scene = row.scene();
-    const Drawing with = draw(scene, row), plain = draw(without(scene, row.name), row);
+    const Drawing& with = drawingOf(row);
+    const Drawing plain = draw(without(row.scene(), row.name), row);
     const std::string word = wordFor(row.name), said = warningsOf(with.result);
     if (word == "refused") {
         EXPECT_EQ(with.result.status, 2);
@@ -340,7 +350,7 @@ TEST(Extension, TheTableIsDocumented) {
     std::vector<std::string> rows;
     for (const ExtensionRow& row : wholeTable())
         rows.push_back("| " + cellOf(row.name) + " | " + wordFor(row.name) + " | " +
-                       cellOf(saidBy(draw(row.scene(), row).result)) + " |");
+                       cellOf(saidBy(drawingOf(row).result)) + " |");
     expectDocumented("extensions", rows, "extensions.md");
 }
 

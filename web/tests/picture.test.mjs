@@ -1,4 +1,4 @@
-// The viewer draws the same picture as the native program.
+// The viewer draws the same picture as the native program, on another rasteriser.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -7,7 +7,7 @@ import { times } from './support/long.mjs';
 import { rendered, views } from './support/native.mjs';
 import { compare, picture } from './support/pictures.mjs';
 
-const shared = useBrowser();
+const shared = useBrowser({ angle: 'swiftshader' });
 
 /** Glass takes shadow once its light rests, which these views don't wait for. */
 const look = ['--shading', 'base'];

@@ -39,21 +39,18 @@ test('counts are those of the program, and the pointer is told them', async () =
   for (let y = 5; y < size.height; y += 10)
     for (let x = 5; x < size.width; x += 10) places.push([x, y]);
   const shown = await hoursAt(page, places.map(([x, y]) => [x + 0.5, y + 0.5]));
-  let [different, farApart] = [0, 0];
+  let different = 0;
   const values = new Set();
   shown.forEach((here, i) => {
     const [x, y] = places[i];
     const { lit, surface } = counts.at(x, y);
-    const apart = Math.abs((here?.lit ?? -1) - (surface ? lit : -1));
-    if (apart > 0) different += 1;
-    if (apart > 1) farApart += 1;
+    if ((here?.lit ?? -1) !== (surface ? lit : -1)) different += 1;
     values.add(here?.lit ?? -1);
     if (here) assert.deepEqual([here.of, here.step], [24, 30]);
   });
-  // Another GL rounds the outlines of surfaces and of 24 shadows differently; same_gl.test.mjs
-  // compares with the same GL.
-  assert.ok(different <= 0.02 * places.length, `${different} of ${places.length} pixels differ`);
-  assert.ok(farApart <= 0.004 * places.length, `${farApart} of ${places.length} pixels differ by more`);
+  console.log(`${different} of ${places.length} pixels differ`);
+  // Pixels on outlines of shadows and surfaces, where the last bits of depth decide.
+  assert.ok(different <= 0.0003 * places.length, `${different} of ${places.length} pixels differ`);
   assert.ok(values.size > 12 && values.has(-1), `only ${values.size} values`);
 
   const of = await page.evaluate(() => document.querySelector('#hours').getBoundingClientRect().top);

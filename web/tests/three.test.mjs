@@ -8,7 +8,7 @@ import { useBrowser } from './support/browser.mjs';
 import { repository } from './support/server.mjs';
 import { compareMasks, nativeMask, openThree, releases, size } from './support/three.mjs';
 
-const shared = useBrowser({ angle: 'gl-egl', sharesPages: true }); // the native program's GL
+const shared = useBrowser({ sharesPages: true });
 const corner = { from: [5, 4, 6], to: [0, 0.6, 0], fov: 50 };
 const sun = ['--sun', '0.5,1,-0.3'];
 /** Messages of three.js's exporter about exported scenes. */

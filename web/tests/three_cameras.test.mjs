@@ -7,7 +7,7 @@ import { useBrowser } from './support/browser.mjs';
 import { recipes } from './support/readme.mjs';
 import { inPlaceOf, openThree, releasesOf } from './support/three.mjs';
 
-const shared = useBrowser({ angle: 'gl-egl', sharesPages: true });
+const shared = useBrowser({ sharesPages: true });
 
 /** Runs `act(page, given)` in a page with three.js; returns its result and the page's warnings. */
 async function inPage(act, given, release) {

@@ -5,7 +5,7 @@ import { test } from 'node:test';
 import { useBrowser } from './support/browser.mjs';
 import { inPlaceOf, openThree, releasesOf } from './support/three.mjs';
 
-const shared = useBrowser({ angle: 'gl-egl', sharesPages: true });
+const shared = useBrowser({ sharesPages: true });
 
 /** Runs `act(page, house)` in a page with three.js; returns its result. */
 async function inPage(act, release) {

@@ -6,7 +6,7 @@ import { test } from 'node:test';
 import { useBrowser } from './support/browser.mjs';
 import { inFoliage, inPlaceOf } from './support/three.mjs';
 
-const shared = useBrowser({ angle: 'gl-egl', sharesPages: true });
+const shared = useBrowser({ sharesPages: true });
 
 const inMotion = async ({ three, ExactShadows, redOf, comparedWithRays }, { floorOf, treeOf, leafAtlas, white, wholly, comparedTints }, { kind, position, glass }) => {
   const { renderer, scene, light, camera } = floorOf(window.page, { kind, position, width: 150, height: 100 });

@@ -6,7 +6,7 @@ import { test } from 'node:test';
 import { useBrowser } from './support/browser.mjs';
 import { inFoliage, inPlaceOf, releasesOf } from './support/three.mjs';
 
-const shared = useBrowser({ angle: 'gl-egl', sharesPages: true });
+const shared = useBrowser({ sharesPages: true });
 
 const inPage = (...of) => inFoliage(shared, ...of);
 

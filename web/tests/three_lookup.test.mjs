@@ -8,7 +8,7 @@ import { useBrowser } from './support/browser.mjs';
 import { repository } from './support/server.mjs';
 import { compareMasks, inNativeGl, nativeMask, size } from './support/three.mjs';
 
-const shared = useBrowser({ angle: 'gl-egl', sharesPages: true }); // the native program's GL
+const shared = useBrowser({ sharesPages: true });
 
 const inPage = (...of) => inNativeGl(shared, ...of);
 

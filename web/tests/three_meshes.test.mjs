@@ -6,7 +6,7 @@ import { test } from 'node:test';
 import { useBrowser } from './support/browser.mjs';
 import { openThree, releasesOf } from './support/three.mjs';
 
-const shared = useBrowser({ angle: 'gl-egl', sharesPages: true });
+const shared = useBrowser({ sharesPages: true });
 
 /**
  * Runs `act(world, page)` in a page with three.js, in a court with shadows that are masked or

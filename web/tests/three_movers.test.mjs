@@ -6,7 +6,7 @@ import { test } from 'node:test';
 import { useBrowser } from './support/browser.mjs';
 import { compareMasks, inNativeGl, nativeMask, size } from './support/three.mjs';
 
-const shared = useBrowser({ angle: 'gl-egl', sharesPages: true }); // the native program's GL
+const shared = useBrowser({ sharesPages: true });
 
 const inPage = (...of) => inNativeGl(shared, ...of);
 

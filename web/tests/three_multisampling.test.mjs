@@ -5,7 +5,7 @@ import { test } from 'node:test';
 import { useBrowser } from './support/browser.mjs';
 import { openThree } from './support/three.mjs';
 
-const shared = useBrowser();
+const shared = useBrowser({ angle: 'swiftshader' }); // Mesa's software renderer ignores `centroid`
 
 test('a knot has the shadows that it has without multisampling', async () => {
   const page = await openThree(shared, undefined, { haste: 3 });

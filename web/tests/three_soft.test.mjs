@@ -6,7 +6,7 @@ import { useBrowser } from './support/browser.mjs';
 import { pointsOfLight } from './support/native.mjs';
 import { inFoliage, inPlaceOf } from './support/three.mjs';
 
-const shared = useBrowser({ angle: 'gl-egl', sharesPages: true });
+const shared = useBrowser({ sharesPages: true });
 
 const samples = 16;
 

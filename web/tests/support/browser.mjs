@@ -43,13 +43,15 @@ function hurry(factor) {
 const mostUses = 5;
 
 /**
- * Call it at the top of a test file; `angle` and `webGpu` as in chromium.mjs, `roots` as in server.mjs.
+ * Call it at the top of a test file; `angle` and `webGpu` as in chromium.mjs, `roots` as in server.mjs. Pages
+ * draw with the native program's GL by default, which takes a fifth less time than SwiftShader. Those with
+ * WebGPU draw all on SwiftShader.
  * `sharesPages`: a page that passed check() is emptied and opened again for a later test that asks for the
  * same, as loading one takes longer than most tests; for tests that leave the page's globals as they are.
  * open(path, options) returns a page that has loaded its scene, without antialiasing by default, whose
  * clock runs `haste` times as fast; check(page) fails if anything was reported to its console.
  */
-export function useBrowser({ angle, webGpu, roots, sharesPages = false } = {}) {
+export function useBrowser({ webGpu = false, angle = webGpu ? 'swiftshader' : 'gl-egl', roots, sharesPages = false } = {}) {
   const shared = {}, idle = new Map(); // pages by what was asked for
   before(async () => {
     shared.server = await serve(roots);

@@ -1,5 +1,5 @@
-// A headless Chromium that draws WebGL in software, the same on every machine. Its GL takes most of the
-// time to compile shaders, so pages of one browser share what it compiled.
+// A headless Chromium that draws WebGL, in software by default, the same on every machine. SwiftShader takes
+// most of the time to compile shaders, so pages of one browser share what it compiled.
 
 import { chromium } from 'playwright-core';
 import { chromiumPath } from './chromium-path.mjs';
