@@ -19,7 +19,7 @@ shift
 (($#)) || set -- tests/*.test.mjs
 
 run() {
-    node --test --test-concurrency=1 "$1"
+    node "$1"
 }
 
 failed=()

@@ -40,7 +40,7 @@ async function backendsDiffer(tools, { scene: name, lights, backends }) {
 }
 
 /** Scenes that WebGPURenderer's back end of WebGL draws, too: both have their shaders from the same nodes. */
-const withBoth = ['far yard', 'stained'];
+const withBoth = ['far yard'];
 
 /**
  * Scenes, their lights, how many pixels may differ, and how many of these beyond edges: rounding of vertices and
