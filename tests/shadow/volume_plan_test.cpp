@@ -378,6 +378,45 @@ TEST(VolumePlan, WithHolesItAlwaysTakesCaps) {
     EXPECT_TRUE(onlyDraw(clusterAt({0, 0, -10}, 1, false, true), {0, 50, -10, 1}).zFail());
 }
 
+TEST(VolumePlan, WhatIsBesideEverythingVisibleIsLeftOut) {
+    FrameView view = viewAlongZ();
+    view.visible = boxAround({0, -2, -10}, 1.0);
+    const glm::dmat4 placed = glm::translate(glm::dmat4(1.0), glm::dvec3(1, 2, 3));
+    for (const glm::dvec4& light : {glm::dvec4(0.1, 1, 0.1, 0), glm::dvec4(0, 30, -10, 1)}) {
+        PlanView inWorld = planView(view, view.slices[0], {light}, glm::dmat4(1.0));
+        std::vector<glm::dvec4> between, inBatch;
+        findPlanesBetween(view, {light}, between);
+        inWorld.between = between;
+        PlanView place = planView(view, view.slices[0], {light}, placed);
+        for (const glm::dvec4& plane : between)
+            inBatch.push_back(glm::transpose(placed) * plane);
+        // Volumes of both run through the view; only those of the first run through the box.
+        for (const double z : {-10.0, -20.0}) {
+            const ShadowCluster cluster = clusterAt(glm::dvec3(0, 3, z) - glm::dvec3(1, 2, 3), 1.0);
+            PlanePairShadow shadow;
+            shadow.clusters = {cluster};
+            place.between = {};
+            EXPECT_EQ(planFor({cluster}, place).size(), 1u);
+            place.between = inBatch;
+            const VolumePlan plan = planOf({cluster}, place);
+            const auto whole = leftOutWhole(shadow, placed, inWorld);
+            if (z == -10.0) {
+                EXPECT_EQ(plan.drawn.size(), 1u);
+                EXPECT_FALSE(whole);
+                continue;
+            }
+            ASSERT_EQ(plan.leftOut.size(), 1u);
+            EXPECT_EQ(plan.leftOut[0].why, LeftOut::Why::besideVisible);
+            ASSERT_TRUE(whole);
+            EXPECT_EQ(whole->why, LeftOut::Why::besideVisible);
+        }
+    }
+    view.visible = {};
+    std::vector<glm::dvec4> none{glm::dvec4(1.0)};
+    findPlanesBetween(view, {{0, 1, 0, 0}}, none);
+    EXPECT_TRUE(none.empty());
+}
+
 TEST(VolumePlan, WhatCannotCastIntoTheViewIsLeftOut) {
     EXPECT_TRUE(planFor(clusterAt({0, 0, 10}, 1), {0, 50, 10, 1}).empty());   // behind the eye
     EXPECT_TRUE(planFor(clusterAt({50, 0, -10}, 1), {0, 0, -10, 1}).empty()); // to the right

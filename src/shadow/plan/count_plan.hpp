@@ -41,6 +41,7 @@ struct PlanMemory {
     FrameView seen;             ///< the part of the view that a light can change
     std::vector<double> ranges; ///< of the light, by batch; see rangeInObject()
     std::vector<std::uint8_t> fanned;
+    std::vector<glm::dvec4> between, betweenInBatch; ///< PlanView::between
 };
 
 /// Settings for planning plane-pair records.

@@ -66,6 +66,8 @@ const char* wordsFor(LeftOut::Why why) {
         return "they are beyond the light's range";
     case LeftOut::Why::outsideCone:
         return "they are outside the light's cone";
+    case LeftOut::Why::besideVisible:
+        return "they are not between the light and anything visible";
     }
     return {};
 }

@@ -2,6 +2,8 @@
 
 #include "preprocess/base/error.hpp"
 #include "src/shadow/geometry/box_plane.hpp"
+#include "src/shadow/geometry/planes_between.hpp"
+#include "src/shadow/geometry/vectors.hpp"
 #include "src/shadow/lights/light_range.hpp"
 #include "src/shadow/view/near_rectangle.hpp"
 
@@ -203,6 +205,8 @@ std::optional<LeftOut::Why> leftOutFor(const Box& bounds, const PlanView& view) 
     if (isBeyond(bounds, glm::dvec3(view.light), view.range)) return LeftOut::Why::tooFar;
     for (const glm::dvec4& plane : view.cone)
         if (isOutside(bounds, plane)) return LeftOut::Why::outsideCone;
+    for (const glm::dvec4& plane : view.between)
+        if (isOutside(bounds, plane)) return LeftOut::Why::besideVisible;
     return std::nullopt;
 }
 
@@ -276,6 +280,17 @@ PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& l
     return result;
 }
 
+void findPlanesBetween(const FrameView& view, const Light& light, std::vector<glm::dvec4>& planes) {
+    Box box = view.visible;
+    if (box.empty()) return planes.clear();
+    const double margin =
+        endMargin * box.diagonal() +
+        placingError * std::max(largestComponent(box.low), largestComponent(box.high));
+    box.low -= margin;
+    box.high += margin;
+    findPlanesBetween(light.position, box, planes);
+}
+
 std::optional<LeftOut> leftOutWhole(const PlanePairShadow& shadow, const glm::dmat4& worldFromBatch,
                                     const PlanView& inWorld) {
     Box bounds;
@@ -289,7 +304,10 @@ std::optional<LeftOut> leftOutWhole(const PlanePairShadow& shadow, const glm::dm
     if (std::isfinite(inWorld.range)) view.range = rangeInObject(inWorld.range, worldFromBatch);
     for (const glm::dvec4& plane : inWorld.cone)
         view.cone.push_back(glm::transpose(worldFromBatch) * plane);
-    const auto why = leftOutFor(bounds, view);
+    auto why = leftOutFor(bounds, view);
+    for (const glm::dvec4& plane : inWorld.between)
+        if (!why && isOutside(bounds, glm::transpose(worldFromBatch) * plane))
+            why = LeftOut::Why::besideVisible;
     if (!why) return std::nullopt;
     return LeftOut{{0, static_cast<std::uint32_t>(shadow.clusters.size())}, *why};
 }

@@ -59,10 +59,11 @@ struct ClusterPlan {
 /// Neighbouring clusters that are not drawn.
 struct LeftOut {
     enum class Why {
-        outsideView, ///< their volumes miss the view
-        tooDeep,     ///< they begin behind everything visible
-        tooFar,      ///< they are out of the light's range
-        outsideCone, ///< they are outside the light's cone
+        outsideView,   ///< their volumes miss the view
+        tooDeep,       ///< they begin behind everything visible
+        tooFar,        ///< they are out of the light's range
+        outsideCone,   ///< they are outside the light's cone
+        besideVisible, ///< they are not between the light and anything visible
     };
     RecordRange clusters;
     Why why = Why::outsideView;
@@ -102,13 +103,20 @@ struct PlanView {
     EndPlanes ends;
     double rounding = dotRounding(23); ///< error of the shaders' dot products with the light
     ContactCaps contact;               ///< the touched caps; planView() leaves it empty
-    bool culls = false;                ///< see Scene
+    /// Planes with everything between the light and the visible geometry on their inner sides;
+    /// planView() leaves it empty.
+    std::span<const glm::dvec4> between;
+    bool culls = false; ///< see Scene
 };
 
 /// The view of a batch placed by `worldFromBatch`, which must be invertible. `mantissaBits`:
 /// precision of the vertex shader's floats.
 PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& light,
                   const glm::dmat4& worldFromBatch, int mantissaBits = 23);
+
+/// Fills `planes` with planes in the world that have everything between the light and the view's
+/// visible geometry on their inner sides. None if that geometry is unknown.
+void findPlanesBetween(const FrameView& view, const Light& light, std::vector<glm::dvec4>& planes);
 
 /// Leaves out all clusters of a batch placed by `worldFromBatch` at once if the box around them
 /// allows it; null otherwise. `inWorld`: planView() for the world itself.
