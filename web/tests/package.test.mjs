@@ -62,7 +62,7 @@ test('the package is at most 1.73 MB, 4.64 MB unpacked', { skip }, () => {
   assert.ok(size <= 1.73e6 && unpackedSize <= 4.64e6);
 });
 
-test('three.js\' adapter weighs at most 505 KB, its hours of sun 172 KB more when asked for, the element 822 KB, without a bundler, compressed', { skip }, () => {
+test('three.js\' adapter weighs at most 506 KB, its hours of sun 172 KB more when asked for, the element 822 KB, without a bundler, compressed', { skip }, () => {
   const modules = (...folders) => packed.paths.filter((path) => path.endsWith('.js') && folders.some((folder) => path.startsWith(`dist/${folder}/`)));
   const wasm = (name) => [`dist/wasm/${name}.wasm`, `dist/wasm/${name}.mjs`];
   const ofHours = (path) => path.includes('/sun-hours');
@@ -70,7 +70,7 @@ test('three.js\' adapter weighs at most 505 KB, its hours of sun 172 KB more whe
   const hours = packed.weight(...wasm('edgeshade-hours'), ...modules('three').filter(ofHours));
   const element = packed.weight(...wasm('edgeshade'), ...modules('element'));
   console.log(`adapter ${adapter} bytes, hours ${hours}, element ${element}`);
-  assert.ok(adapter <= 505e3 && hours <= 172e3 && element <= 822e3);
+  assert.ok(adapter <= 506e3 && hours <= 172e3 && element <= 822e3);
 });
 
 test('npm packs every entry with its types, workers and WebAssembly', { skip }, () => {
