@@ -19,7 +19,7 @@ import tempfile
 
 from edgeshade_runs import SCENES, replace_between, report, results_of
 from large_scenes import GENERATED_MESH
-from processor import NULL_GL
+from processor import NULL_GL, cell
 
 GARDENS, APART = (1, 10, 100), 14.0
 BOXES = (100_000, 1_000_000, 5_000_000, 10_000_000)
@@ -29,7 +29,7 @@ FRAMES = 30
 
 
 def write_gardens(count, path):
-    """Writes places of the garden as glTF, in rows of ten: the first one in the middle of the last row that ONE sees."""
+    """Writes places of the garden as glTF, in rows of ten. ONE sees the first, in the middle of its row, and no other row."""
     data = (SCENES / "garden.draco.glb").read_bytes()
     length = struct.unpack_from("<I", data, 12)[0]
     gltf, rest = json.loads(data[20:20 + length]), data[20 + length:]
@@ -83,15 +83,11 @@ def measured():
     return rows
 
 
-def cell(part):
-    return f"{part['plan']:.2f} + {part['submit']:.2f}" if part else ""
-
-
 def table(rows):
     lines = ["| scene, light moves | triangles | one in view: plan + submit, ms | all in view |",
              "| --- | --- | --- | --- |"]
     for row in rows:
-        lines.append(f"| {row['scene']} | {row['triangles']:,} | {cell(row.get('one'))} | {cell(row['all'])} |")
+        lines.append(f"| {row['scene']} | {row['triangles']:,} | {cell(row['one']) if 'one' in row else ''} | {cell(row['all'])} |")
     return "\n".join(lines)
 
 

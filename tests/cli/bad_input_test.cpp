@@ -4,6 +4,7 @@
 #include "preprocess/base/file_io.hpp"
 #include "tests/cli/bad_input.hpp"
 #include "tests/cli/documented.hpp"
+#include "tests/cli/kept.hpp"
 #include "tests/cli/message.hpp"
 #include "tests/support/run_edgeshade.hpp"
 
@@ -79,10 +80,10 @@ Outcome outcomeIn(const TempFolder& folder, const BadInput& row, const std::stri
 /// Runs each verb of a row once in this process.
 const Outcome& outcomeOf(const BadInput& row, const std::string& verb) {
     static std::map<std::pair<std::string, std::string>, Outcome> outcomes;
-    const auto found = outcomes.find({row.name, verb});
-    if (found != outcomes.end()) return found->second;
-    const TempFolder folder;
-    return outcomes.emplace(std::pair(row.name, verb), outcomeIn(folder, row, verb)).first->second;
+    return kept(outcomes, {row.name, verb}, [&] {
+        const TempFolder folder;
+        return outcomeIn(folder, row, verb);
+    });
 }
 
 void expectRefused(const BadInput& row, const std::string& verb) {

@@ -2,6 +2,7 @@
 // without it. For a new row call row() with a function that puts the extension into a scene.
 #include "preprocess/gltf/extensions.hpp"
 #include "tests/cli/documented.hpp"
+#include "tests/cli/kept.hpp"
 #include "tests/cli/message.hpp"
 #include "tests/support/draco_encoding.hpp"
 #include "tests/support/meshopt_encoding.hpp"
@@ -265,10 +266,7 @@ Drawing draw(const Bytes& glb, const ExtensionRow& row) {
 /// Draws the scene of a row of the table once in this process.
 const Drawing& drawingOf(const ExtensionRow& row) {
     static std::map<std::string, Drawing> drawings;
-    const auto found = drawings.find(row.name);
-    return found != drawings.end()
-               ? found->second
-               : drawings.emplace(row.name, draw(row.scene(), row)).first->second;
+    return kept(drawings, row.name, [&] { return draw(row.scene(), row); });
 }
 
 /// The program's output, without the folder and the program's name.

@@ -4,6 +4,7 @@
 
 #include "src/image/png.hpp"
 #include "tests/cli/documented.hpp"
+#include "tests/cli/kept.hpp"
 #include "tests/support/run_edgeshade.hpp"
 #include "tests/support/webp_encoding.hpp"
 
@@ -88,10 +89,10 @@ Outcome outcomeIn(const TempFolder& folder, const LeftOut& row, const std::strin
 /// Runs each verb of a row once in this process.
 const Outcome& outcomeOf(const LeftOut& row, const std::string& verb) {
     static std::map<std::pair<std::string, std::string>, Outcome> outcomes;
-    const auto found = outcomes.find({row.name, verb});
-    if (found != outcomes.end()) return found->second;
-    const TempFolder folder;
-    return outcomes.emplace(std::pair(row.name, verb), outcomeIn(folder, row, verb)).first->second;
+    return kept(outcomes, {row.name, verb}, [&] {
+        const TempFolder folder;
+        return outcomeIn(folder, row, verb);
+    });
 }
 
 void expectWarning(const LeftOut& row, const std::string& verb) {

@@ -383,10 +383,9 @@ TEST(VolumePlan, WhatIsBesideEverythingVisibleIsLeftOut) {
     view.visible = boxAround({0, -2, -10}, 1.0);
     const glm::dmat4 placed = glm::translate(glm::dmat4(1.0), glm::dvec3(1, 2, 3));
     for (const glm::dvec4& light : {glm::dvec4(0.1, 1, 0.1, 0), glm::dvec4(0, 30, -10, 1)}) {
-        PlanView inWorld = planView(view, view.slices[0], {light}, glm::dmat4(1.0));
+        const PlanView inWorld = planView(view, view.slices[0], {light}, glm::dmat4(1.0));
         std::vector<glm::dvec4> between, inBatch;
         findPlanesBetween(view, {light}, between);
-        inWorld.between = between;
         PlanView place = planView(view, view.slices[0], {light}, placed);
         for (const glm::dvec4& plane : between)
             inBatch.push_back(glm::transpose(placed) * plane);
@@ -399,7 +398,7 @@ TEST(VolumePlan, WhatIsBesideEverythingVisibleIsLeftOut) {
             EXPECT_EQ(planFor({cluster}, place).size(), 1u);
             place.between = inBatch;
             const VolumePlan plan = planOf({cluster}, place);
-            const auto whole = leftOutWhole(shadow, placed, inWorld);
+            const auto whole = leftOutWhole(shadow, placed, inWorld, inBatch);
             if (z == -10.0) {
                 EXPECT_EQ(plan.drawn.size(), 1u);
                 EXPECT_FALSE(whole);

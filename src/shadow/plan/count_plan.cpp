@@ -96,20 +96,21 @@ void planCount(const std::vector<PlacedShadow>& casters, const std::vector<Mater
     plan.clear();
     memory.ranges.clear();
     findReachedPart(view, slice, source, memory.seen);
-    PlanView inWorld = planView(memory.seen, slice, source, glm::dmat4(1.0), settings.mantissaBits);
+    const PlanView inWorld =
+        planView(memory.seen, slice, source, glm::dmat4(1.0), settings.mantissaBits);
     findPlanesBetween(memory.seen, source, memory.between);
-    inWorld.between = memory.between;
     for (const PlacedShadow& caster : casters) {
-        if (const auto leftOut = leftOutWhole(*caster.shadow, caster.worldFromBatch, inWorld)) {
+        memory.betweenInBatch.clear();
+        for (const glm::dvec4& plane : memory.between)
+            memory.betweenInBatch.push_back(glm::transpose(caster.worldFromBatch) * plane);
+        if (const auto leftOut = leftOutWhole(*caster.shadow, caster.worldFromBatch, inWorld,
+                                              memory.betweenInBatch)) {
             memory.ranges.push_back(std::numeric_limits<double>::infinity());
             addLeftOut(caster, *leftOut, source, plan);
             continue;
         }
         PlanView place =
             planView(memory.seen, slice, source, caster.worldFromBatch, settings.mantissaBits);
-        memory.betweenInBatch.clear();
-        for (const glm::dvec4& plane : memory.between)
-            memory.betweenInBatch.push_back(glm::transpose(caster.worldFromBatch) * plane);
         place.between = memory.betweenInBatch;
         memory.ranges.push_back(place.range);
         addClusters(caster, place, settings, memory, plan);

@@ -1,9 +1,9 @@
 #include "src/shadow/plan/volume_plan.hpp"
 
 #include "preprocess/base/error.hpp"
+#include "preprocess/base/vectors.hpp"
 #include "src/shadow/geometry/box_plane.hpp"
 #include "src/shadow/geometry/planes_between.hpp"
-#include "src/shadow/geometry/vectors.hpp"
 #include "src/shadow/lights/light_range.hpp"
 #include "src/shadow/view/near_rectangle.hpp"
 
@@ -292,7 +292,7 @@ void findPlanesBetween(const FrameView& view, const Light& light, std::vector<gl
 }
 
 std::optional<LeftOut> leftOutWhole(const PlanePairShadow& shadow, const glm::dmat4& worldFromBatch,
-                                    const PlanView& inWorld) {
+                                    const PlanView& inWorld, std::span<const glm::dvec4> between) {
     Box bounds;
     for (const ShadowCluster& cluster : shadow.clusters)
         bounds.add(cluster.bounds);
@@ -304,10 +304,8 @@ std::optional<LeftOut> leftOutWhole(const PlanePairShadow& shadow, const glm::dm
     if (std::isfinite(inWorld.range)) view.range = rangeInObject(inWorld.range, worldFromBatch);
     for (const glm::dvec4& plane : inWorld.cone)
         view.cone.push_back(glm::transpose(worldFromBatch) * plane);
-    auto why = leftOutFor(bounds, view);
-    for (const glm::dvec4& plane : inWorld.between)
-        if (!why && isOutside(bounds, glm::transpose(worldFromBatch) * plane))
-            why = LeftOut::Why::besideVisible;
+    view.between = between;
+    const auto why = leftOutFor(bounds, view);
     if (!why) return std::nullopt;
     return LeftOut{{0, static_cast<std::uint32_t>(shadow.clusters.size())}, *why};
 }

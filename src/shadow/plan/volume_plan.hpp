@@ -119,9 +119,10 @@ PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& l
 void findPlanesBetween(const FrameView& view, const Light& light, std::vector<glm::dvec4>& planes);
 
 /// Leaves out all clusters of a batch placed by `worldFromBatch` at once if the box around them
-/// allows it; null otherwise. `inWorld`: planView() for the world itself.
+/// allows it; null otherwise. `inWorld`: planView() for the world itself. `between`:
+/// PlanView::between, in the batch's space.
 std::optional<LeftOut> leftOutWhole(const PlanePairShadow& shadow, const glm::dmat4& worldFromBatch,
-                                    const PlanView& inWorld);
+                                    const PlanView& inWorld, std::span<const glm::dvec4> between);
 
 /// Whether the volumes of all casters within the box may end at the view's plane `end`
 /// (docs/method.md, C14).
