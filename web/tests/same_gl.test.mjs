@@ -18,7 +18,7 @@ test('on the system\'s own GL hardly a pixel differs', async (context) => {
   });
   if (!/llvmpipe/.test(renderer)) {
     context.skip(`Chromium draws with ${renderer || 'nothing'} here`);
-    await page.context().close();
+    await page.close();
     return;
   }
   await page.waitForFunction(() => document.querySelector('edgeshade-viewer')?.loaded);
@@ -31,5 +31,5 @@ test('on the system\'s own GL hardly a pixel differs', async (context) => {
     // Pixels on outlines of shadows and surfaces, where the last bits of depth decide.
     assert.ok(different <= 0.0003 * pixels, `${name}: ${different} of ${pixels} pixels differ`);
   }
-  await page.context().close();
+  await page.close();
 });

@@ -27,7 +27,7 @@ async function opened(context, release) {
   const name = await page.evaluate(() => window.page.rendererName());
   if (/llvmpipe/.test(name)) return page;
   context.skip(`Chromium draws with ${name} here`);
-  await page.context().close();
+  await page.close();
   return null;
 }
 

@@ -45,14 +45,14 @@ const mostUses = 5;
 /**
  * Call it at the top of a test file; `angle` and `webGpu` as in chromium.mjs, `roots` as in server.mjs. Pages
  * draw with the native program's GL by default, which takes a fifth less time than SwiftShader. Those with
- * WebGPU draw all on SwiftShader.
+ * WebGPU draw all on SwiftShader. Pages share a cache, and with it a site's storage.
  * `sharesPages`: a page that passed check() is emptied and opened again for a later test that asks for the
  * same, as loading one takes longer than most tests; for tests that leave the page's globals as they are.
  * open(path, options) returns a page that has loaded its scene, without antialiasing by default, whose
  * clock runs `haste` times as fast; check(page) fails if anything was reported to its console.
  */
 export function useBrowser({ webGpu = false, angle = webGpu ? 'swiftshader' : 'gl-egl', roots, sharesPages = false } = {}) {
-  const shared = {}, idle = new Map(); // pages by what was asked for
+  const shared = {}, idle = new Map(), contexts = new Map(); // by what was asked for
   before(async () => {
     shared.server = await serve(roots);
     shared.browser = await launchChromium({ angle, webGpu });
@@ -70,8 +70,9 @@ export function useBrowser({ webGpu = false, angle = webGpu ? 'swiftshader' : 'g
       idle.delete(asked);
       return kept;
     }
-    const made = await shared.browser.newContext({ viewport: size, ...context });
-    const page = await made.newPage();
+    const options = { viewport: size, ...context }, kind = JSON.stringify(options);
+    if (!contexts.has(kind)) contexts.set(kind, await shared.browser.newContext(options));
+    const page = await contexts.get(kind).newPage();
     page.setDefaultTimeout(60000);
     Object.assign(page, { reports: [], asked, uses: 0 });
     page.on('console', (message) => {
@@ -95,7 +96,7 @@ export function useBrowser({ webGpu = false, angle = webGpu ? 'swiftshader' : 'g
       idle.set(page.asked, page);
       return;
     }
-    await page.context().close();
+    await page.close();
   };
   return shared;
 }

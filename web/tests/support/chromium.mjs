@@ -1,11 +1,12 @@
 // A headless Chromium that draws WebGL, in software by default, the same on every machine. SwiftShader takes
-// most of the time to compile shaders, so pages of one browser share what it compiled.
+// most of the time to compile shaders, so pages of one browser share what it compiled. It keeps more freed
+// memory, as giving it back waits for other cores: 8 % of the time of all tests.
 
 import { chromium } from 'playwright-core';
 import { chromiumPath } from './chromium-path.mjs';
 
 const flags = ['--headless=new', '--no-sandbox', '--use-gl=angle', '--enable-unsafe-swiftshader',
-  '--ignore-gpu-blocklist', '--disable-quic', '--no-first-run',
+  '--ignore-gpu-blocklist', '--enable-features=PartitionAllocLargeEmptySlotSpanRing', '--disable-quic', '--no-first-run',
   '--disable-background-networking', '--disable-component-update', '--disable-sync',
   '--js-flags=--expose-gc', '--enable-angle-features=preferGlobalPipelineCache'];
 

@@ -1,7 +1,7 @@
 // A static server for build/web, the tests' own pages, the comparison's pages and folders of
 // scenes.
 
-import { createReadStream, existsSync, statSync } from 'node:fs';
+import { existsSync, readFileSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -54,8 +54,8 @@ export async function serve(roots = usual) {
       return;
     }
     response.writeHead(200, { 'content-type': types[extname(file)] ?? 'application/octet-stream',
-      'content-length': statSync(file).size });
-    createReadStream(file).pipe(response);
+      'cache-control': 'max-age=600' });
+    response.end(readFileSync(file));
   });
   await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
   return {

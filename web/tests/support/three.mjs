@@ -43,7 +43,7 @@ export async function inNativeGl(shared, context, act, given = {}, release = und
   const name = await page.evaluate(() => window.page.rendererName());
   if (!/llvmpipe/.test(name)) {
     context.skip(`Chromium draws with ${name} here`);
-    await page.context().close();
+    await page.close();
     return {};
   }
   const told = await page.evaluate(({ text, of }) => (0, eval)(`(${text})`)(window.page, of), { text: act.toString(), of: given });
