@@ -1,4 +1,5 @@
 #include "preprocess/volumes/clustering.hpp"
+#include "src/shadow/geometry/box_plane.hpp"
 #include "src/shadow/plan/ray_crossings.hpp"
 #include "src/shadow/plan/stencil_start.hpp"
 
@@ -414,6 +415,26 @@ TEST(VolumePlan, WhatIsBesideEverythingVisibleIsLeftOut) {
     std::vector<glm::dvec4> none{glm::dvec4(1.0)};
     findPlanesBetween(view, {{0, 1, 0, 0}}, none);
     EXPECT_TRUE(none.empty());
+}
+
+TEST(VolumePlan, WhatNearlyTouchesTheVisibleBoxStays) {
+    // Depths, and so the box, are rounded, by as much as the coordinates are.
+    FrameView view = viewAlongZ();
+    std::vector<glm::dvec4> between;
+    for (const glm::dvec3& at : {glm::dvec3(0, -2, -10), glm::dvec3(0, -2e6, -1e7)}) {
+        view.visible = boxAround(at, 1.0);
+        findPlanesBetween(view, {{0, 1, 0, 0}}, between);
+        const auto isBeside = [&](double x) {
+            const Box box = boxAround(at + glm::dvec3(x, 3, 0), 1.0);
+            return std::any_of(between.begin(), between.end(),
+                               [&](const glm::dvec4& plane) { return isOutside(box, plane); });
+        };
+        const double rounding = 1e-7 * glm::length(at);
+        EXPECT_FALSE(isBeside(2.0 + rounding));
+        EXPECT_FALSE(isBeside(-2.0 - rounding));
+        EXPECT_TRUE(isBeside(2.1 + 100.0 * rounding));
+        EXPECT_TRUE(isBeside(-2.1 - 100.0 * rounding));
+    }
 }
 
 TEST(VolumePlan, WhatCannotCastIntoTheViewIsLeftOut) {
