@@ -53,9 +53,10 @@ export async function serve(roots = usual) {
       response.writeHead(404).end();
       return;
     }
+    const bytes = readFileSync(file);
     response.writeHead(200, { 'content-type': types[extname(file)] ?? 'application/octet-stream',
-      'cache-control': 'max-age=600' });
-    response.end(readFileSync(file));
+      'content-length': bytes.length, 'cache-control': 'max-age=600' });
+    response.end(bytes);
   });
   await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
   return {
