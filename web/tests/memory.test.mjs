@@ -42,14 +42,15 @@ test(`${more} loads in a row leave memory flat`, async () => {
     await page.waitForFunction(() => document.querySelector('#viewer').stats.lights[0]?.method === 'primitive-map');
   };
   await loadTimes(first); // until the allocator has room for two scenes at once
-  const sizes = [await used()], isFlat = () => sizes.at(-1) < 1.05 * sizes.at(-2) + 2e6;
-  // The program's memory grows by a fifth at once, and when it does so depends on when a map is made. What leaks
-  // grows each time.
-  do {
-    await loadTimes(more);
-    sizes.push(await used());
-  } while (!isFlat() && sizes.length < 4);
-  console.log(`${sizes.map((bytes) => (bytes / 1e6).toFixed(1)).join(', ')} MB after ${first} loads, and ${more} each`);
-  assert.ok(isFlat(), `bytes: ${sizes}`);
+  const leavesFlat = async (count) => {
+    const before = await used();
+    await loadTimes(count);
+    const after = await used();
+    console.log(`${(before / 1e6).toFixed(1)} MB, ${(after / 1e6).toFixed(1)} MB after ${count} more loads`);
+    return after < 1.05 * before + 2e6;
+  };
+  // The program's memory grows by a fifth at once, and may do so once. Three times as many loads then show a leak of a
+  // third of the size.
+  assert.ok(await leavesFlat(more) || await leavesFlat(3 * more), 'it grows with each load');
   await shared.check(page);
 });
