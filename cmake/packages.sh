@@ -32,6 +32,14 @@ install_packages() {
         --no-install-recommends "${missing[@]}" >/dev/null
 }
 
+# install_node_modules FOLDER: what its package-lock.json names, unless that is there.
+install_node_modules() {
+    local installed=$1/node_modules/.edgeshade-installed
+    cat "$1/package.json" "$1/package-lock.json" | cmp -s - "$installed" && return
+    npm ci --prefix "$1" --no-audit --no-fund --loglevel error || return
+    cat "$1/package.json" "$1/package-lock.json" >"$installed"
+}
+
 # build PRESET [TARGET...]: configures with ${configure_options[@]}, then builds.
 build() {
     local preset=$1

@@ -17,7 +17,7 @@ install_site_tools() {
         say "The site takes Node.js $site_node or later, and this is $node."
         return 1
     fi
-    npm ci --prefix site --no-audit --no-fund --loglevel error
+    install_node_modules site
 }
 
 # build_site: builds the site into build/site.

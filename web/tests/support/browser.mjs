@@ -55,7 +55,7 @@ export function useBrowser({ webGpu = false, angle = webGpu ? 'swiftshader' : 'g
   const shared = {}, idle = new Map(), contexts = new Map(); // by what was asked for
   before(async () => {
     shared.server = await serve(roots);
-    shared.browser = await launchChromium({ angle, webGpu });
+    shared.browser = await launchChromium({ angle, webGpu, brief: true });
   });
   after(async () => {
     idle.clear();
