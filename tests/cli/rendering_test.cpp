@@ -247,7 +247,7 @@ TEST(Rendering, ReportsSayHowEachLightsShadowsAreMade) {
     const TempFolder folder;
     const auto lightsOf = [&](std::vector<std::string> more) {
         more.insert(more.begin(), {"render", pavilion, folder / "out.png", "--size", "64x48",
-                                   "--report", folder / "report.json"});
+                                   "--shading", "base", "--report", folder / "report.json"});
         const ProcessResult result = runEdgeshade(more);
         EXPECT_EQ(result.status, 0) << result.err;
         const Bytes report = readFile(std::filesystem::path(folder / "report.json"));
@@ -342,7 +342,7 @@ TEST(Rendering, ExplainsWhatIsDrawnAndWhy) {
     const TempFolder folder;
     const auto explained = [&](std::vector<std::string> more) {
         more.insert(more.begin(), {"render", pavilion, folder / "out.png", "--size", "64x48",
-                                   "--explain", "--camera-from", "4,2,9"});
+                                   "--shading", "base", "--explain", "--camera-from", "4,2,9"});
         const ProcessResult result = runEdgeshade(more);
         EXPECT_EQ(result.status, 0) << result.err;
         return result.out;
