@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <EGL/egl.h>
+#include <memory>
 #include <string_view>
 
 namespace edgeshade::test {
@@ -51,9 +53,32 @@ std::vector<std::shared_ptr<const PlanePairShadow>> uncullable(Scene scene, bool
 
 } // namespace
 
+namespace {
+
+/// A context for a picture of this size: that of the last one where it still is current, since
+/// making one takes longer than most tests draw.
+const gl::HeadlessContext& contextFor(int width, int height) {
+    struct Kept {
+        int width, height;
+        gl::HeadlessContext context;
+        EGLContext handle = eglGetCurrentContext();
+
+        Kept(int w, int h) : width(w), height(h), context(testPicture(w, h)) {}
+    };
+    static std::unique_ptr<Kept> kept;
+    if (!kept || kept->width != width || kept->height != height ||
+        eglGetCurrentContext() != kept->handle) {
+        kept.reset();
+        kept = std::make_unique<Kept>(width, height);
+    }
+    return kept->context;
+}
+
+} // namespace
+
 std::vector<std::uint8_t> drawScene(const Scene& scene, const TestView& test,
                                     RenderSettings settings, bool castMasked) {
-    const gl::HeadlessContext context(testPicture(test.width, test.height));
+    const gl::HeadlessContext& context = contextFor(test.width, test.height);
     if (!context.capabilities().instancing) settings.layout = SidesLayout::notInstanced;
     settings.rivals = &allRivals();
     const LoadedScene loaded{
