@@ -55,9 +55,10 @@ std::vector<std::shared_ptr<const PlanePairShadow>> uncullable(Scene scene, bool
 
 namespace {
 
-/// A context for a picture of this size: that of the last one where it still is current, since
-/// making one takes longer than most tests draw.
-const gl::HeadlessContext& contextFor(int width, int height) {
+/// A context for a picture of this size. It is kept for the next picture while it stays current,
+/// since making one takes longer than most tests draw. Where the caller has one of its own, it is a
+/// new one.
+std::shared_ptr<const gl::HeadlessContext> contextFor(int width, int height) {
     struct Kept {
         int width, height;
         gl::HeadlessContext context;
@@ -65,20 +66,24 @@ const gl::HeadlessContext& contextFor(int width, int height) {
 
         Kept(int w, int h) : width(w), height(h), context(testPicture(w, h)) {}
     };
-    static std::unique_ptr<Kept> kept;
-    if (!kept || kept->width != width || kept->height != height ||
-        eglGetCurrentContext() != kept->handle) {
+    static std::shared_ptr<Kept> kept;
+    const EGLContext current = eglGetCurrentContext();
+    const bool isKept = kept && current == kept->handle;
+    if (current && !isKept)
+        return std::make_shared<gl::HeadlessContext>(testPicture(width, height));
+    if (!isKept || kept->width != width || kept->height != height) {
         kept.reset();
-        kept = std::make_unique<Kept>(width, height);
+        kept = std::make_shared<Kept>(width, height);
     }
-    return kept->context;
+    return {kept, &kept->context};
 }
 
 } // namespace
 
 std::vector<std::uint8_t> drawScene(const Scene& scene, const TestView& test,
                                     RenderSettings settings, bool castMasked) {
-    const gl::HeadlessContext& context = contextFor(test.width, test.height);
+    const auto kept = contextFor(test.width, test.height);
+    const gl::HeadlessContext& context = *kept;
     if (!context.capabilities().instancing) settings.layout = SidesLayout::notInstanced;
     settings.rivals = &allRivals();
     const LoadedScene loaded{

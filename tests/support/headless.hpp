@@ -45,7 +45,8 @@ struct TestView {
     }
 };
 
-/// A picture of the scene, RGBA rows top to bottom, drawn in its own context.
+/// A picture of the scene, RGBA rows top to bottom, drawn in its own context. A context of the
+/// caller is no longer current then.
 std::vector<std::uint8_t> drawScene(const Scene& scene, const TestView& view,
                                     RenderSettings settings, bool castMasked = false);
 
