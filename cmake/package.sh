@@ -18,7 +18,7 @@ make_packages() {
         say "There is no build/web, so no npm package is made: ./run web --build-only builds it."
     else
         say "Packing for npm"
-        (cd web && npm ci --no-audit --no-fund --loglevel error >&2 &&
+        (install_node_modules web >&2 && cd web &&
             npm pack --pack-destination ../build/packages >&2)
     fi
     say "The packages:"

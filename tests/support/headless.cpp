@@ -51,10 +51,6 @@ std::vector<std::shared_ptr<const PlanePairShadow>> uncullable(Scene scene, bool
     return buildPlanePairs(scene, castMasked);
 }
 
-} // namespace
-
-namespace {
-
 /// A context for a picture of this size. It is kept for the next picture while it stays current,
 /// since making one takes longer than most tests draw. Where the caller has one of its own, it is a
 /// new one.
@@ -82,8 +78,8 @@ std::shared_ptr<const gl::HeadlessContext> contextFor(int width, int height) {
 
 std::vector<std::uint8_t> drawScene(const Scene& scene, const TestView& test,
                                     RenderSettings settings, bool castMasked) {
-    const auto kept = contextFor(test.width, test.height);
-    const gl::HeadlessContext& context = *kept;
+    const auto held = contextFor(test.width, test.height);
+    const gl::HeadlessContext& context = *held;
     if (!context.capabilities().instancing) settings.layout = SidesLayout::notInstanced;
     settings.rivals = &allRivals();
     const LoadedScene loaded{
