@@ -107,7 +107,7 @@ test(`${cycles} cycles of adding and removing 100 meshes leave nothing behind`, 
     await drawn(shadows, scene, camera);
     const heaps = [], pending = [], batches = [], bytes = [], memory = [], objects = [];
     for (let i = 0; i < count; ++i) {
-      const model = building(100, { seed: i + 1 });
+      const model = building(100, { seed: i % 3 + 1 }); // the same three: objects of the GL depend on their shapes
       scene.add(model);
       shadows.render(scene, camera);
       if (i % 3 === 0) await shadows.ready(); // otherwise they go while they are pending
@@ -137,11 +137,11 @@ test(`${cycles} cycles of adding and removing 100 meshes leave nothing behind`, 
   assert.ok(told.pending.every((number) => number === 0));
   assert.deepEqual([...new Set(told.batches)], [2], 'the ground and the box');
   assert.equal(told.bytes.at(-1), told.bytes.at(2));
-  // Programs are compiled when a frame first needs them. Meshes that went while they were pending leave other
-  // objects until the next cycle.
-  const most = (list) => Math.max(...list.map(({ WebGLProgram: _, ...kinds }) => Object.values(kinds).reduce((sum, count) => sum + count, 0)));
-  assert.ok(most(told.objects) > 20 && most(told.objects.slice(-third)) <= most(told.objects.slice(0, third)), JSON.stringify(told.objects));
-  assert.ok(told.objects.at(-1).WebGLProgram < told.objects[2].WebGLProgram + 10);
+  // Meshes that go while they are pending leave a few objects until the next cycle, depending on how far they came.
+  // In the first cycle programs are still compiled.
+  const [first, ...others] = told.objects.filter((_, cycle) => cycle % 3 === 0).slice(1);
+  assert.ok(first.WebGLBuffer > 20 && others.length > 1);
+  for (const objects of others) assert.deepEqual(objects, first);
   assert.ok(told.memory[2] > 1e6 && told.memory.at(-1) <= told.memory[third], 'the memory of the program does not grow');
   assert.ok(end < begin + 2e6, `${begin} bytes, then ${end}`);
   await shared.check(page);
