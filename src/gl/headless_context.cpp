@@ -105,27 +105,23 @@ HeadlessContext::HeadlessContext(const Request& request)
     EGLConfig config = nullptr;
     bool anyDisplay = false;
     for (EGLDisplay candidate : candidateDisplays()) {
-        if (candidate == EGL_NO_DISPLAY || !eglInitialize(candidate, nullptr, nullptr)) continue;
+        if (candidate == EGL_NO_DISPLAY) continue;
+        display_ = openDisplay(candidate);
+        if (!display_) continue;
         anyDisplay = true;
         config = chooseConfig(candidate, request.depthBits);
         if (!config) config = chooseConfig(candidate, 16);
-        if (config) {
-            display_ = candidate;
-            break;
-        }
-        eglTerminate(candidate);
+        if (config) break;
     }
     if (!anyDisplay) unavailable("No EGL display can be opened here, so nothing can be drawn.");
     if (!config)
         unavailable("EGL offers no pbuffer with 8-bit colour, depth and an 8-bit stencil here.");
-    const int widest = configValue(display_, config, EGL_MAX_PBUFFER_WIDTH);
-    const int highest = configValue(display_, config, EGL_MAX_PBUFFER_HEIGHT);
-    if (width_ > widest || height_ > highest) {
-        eglTerminate(display_);
+    const int widest = configValue(display_.get(), config, EGL_MAX_PBUFFER_WIDTH);
+    const int highest = configValue(display_.get(), config, EGL_MAX_PBUFFER_HEIGHT);
+    if (width_ > widest || height_ > highest)
         unavailable("A picture of " + std::to_string(width_) + "x" + std::to_string(height_) +
                     " is too large here; the largest is " + std::to_string(widest) + "x" +
                     std::to_string(highest) + ".");
-    }
 
     try {
         makeCurrent(config);
@@ -148,11 +144,12 @@ HeadlessContext::HeadlessContext(const Request& request)
 }
 
 void HeadlessContext::makeCurrent(void* config) {
+    EGLDisplay display = display_.get();
     eglBindAPI(EGL_OPENGL_ES_API);
-    context_ = createContext(display_, config);
+    context_ = createContext(display, config);
     const EGLint size[] = {EGL_WIDTH, width_, EGL_HEIGHT, height_, EGL_NONE};
-    if (context_) surface_ = eglCreatePbufferSurface(display_, config, size);
-    if (surface_ && eglMakeCurrent(display_, surface_, surface_, context_)) return;
+    if (context_) surface_ = eglCreatePbufferSurface(display, config, size);
+    if (surface_ && eglMakeCurrent(display, surface_, surface_, context_)) return;
     const bool memory = eglGetError() == EGL_BAD_ALLOC;
     unavailable(std::string("EGL can't make an OpenGL ES 2 context with a picture of ") +
                 std::to_string(width_) + "x" + std::to_string(height_) + " here" +
@@ -164,11 +161,14 @@ HeadlessContext::~HeadlessContext() {
 }
 
 void HeadlessContext::release() {
+    EGLDisplay display = display_.get();
+    const CurrentContext current;
+    const bool isCurrent = current.context() == context_;
+    if (multisampled_ && !isCurrent) eglMakeCurrent(display, surface_, surface_, context_);
     multisampled_.reset();
-    eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-    if (surface_) eglDestroySurface(display_, surface_);
-    if (context_) eglDestroyContext(display_, context_);
-    eglTerminate(display_);
+    (isCurrent ? before_ : current).restore(display);
+    if (surface_) eglDestroySurface(display, surface_);
+    if (context_) eglDestroyContext(display, context_);
 }
 
 std::vector<std::uint8_t> HeadlessContext::readPixels(int width, int height) const {

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "src/gl/capabilities.hpp"
+#include "src/gl/egl_display.hpp"
 #include "src/gl/multisampling.hpp"
 #include "src/gl/reset_status.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -15,7 +17,9 @@ namespace edgeshade::gl {
 /// Uses the first available of: a hardware device (EGL_EXT_platform_device), Mesa without a
 /// surface, the default display. The picture is a pbuffer with 8-bit RGBA, depth and stencil. If
 /// samples are requested it is drawn through a multisampled framebuffer, as Mesa ignores them in
-/// pbuffers. The context is current on the thread that created it until it is destroyed.
+/// pbuffers. The context is current on the thread that created it until it is destroyed. Then the
+/// context that was current before is so again. Contexts live beside each other and beside the
+/// application's.
 class HeadlessContext {
   public:
     struct Request {
@@ -45,7 +49,8 @@ class HeadlessContext {
     void makeCurrent(void* config);
     void release();
 
-    void* display_ = nullptr;
+    std::shared_ptr<void> display_;
+    CurrentContext before_; ///< what was current before
     void* context_ = nullptr;
     void* surface_ = nullptr;
     int width_ = 0;

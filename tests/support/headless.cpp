@@ -53,7 +53,7 @@ std::vector<std::shared_ptr<const PlanePairShadow>> uncullable(Scene scene, bool
 
 /// A context for a picture of this size. It is kept for the next picture while it stays current,
 /// since making one takes longer than most tests draw. Where the caller has one of its own, it is a
-/// new one.
+/// new one, and the caller's is current again after it.
 std::shared_ptr<const gl::HeadlessContext> contextFor(int width, int height) {
     struct Kept {
         int width, height;
