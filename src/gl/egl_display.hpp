@@ -11,10 +11,10 @@ namespace edgeshade::gl {
 /// `display`: an EGLDisplay. From any thread.
 std::shared_ptr<void> openDisplay(void* display);
 
-/// What is current on a thread: a context with its display and surfaces.
+/// A thread's current context with its display and surfaces.
 class CurrentContext {
   public:
-    /// What is current now.
+    /// Notes the one that is current now, if any.
     CurrentContext();
     /// Makes it current again, or nothing if there was nothing or it no longer exists. `display`:
     /// of the context that is current now.

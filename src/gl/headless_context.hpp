@@ -50,7 +50,7 @@ class HeadlessContext {
     void release();
 
     std::shared_ptr<void> display_;
-    CurrentContext before_; ///< what was current before
+    CurrentContext before_; ///< the one that was current before
     void* context_ = nullptr;
     void* surface_ = nullptr;
     int width_ = 0;

@@ -83,6 +83,7 @@ bool PrimitiveMapJob::step() {
     } else if (!fitting_) {
         std::vector<PlacedCasters> casters = solid_;
         casters.insert(casters.end(), cutouts_.begin(), cutouts_.end());
+        if (!castersReceive_) settings_.lookingUp = seeThrough();
         fitting_.emplace(light_, std::move(casters), settings_);
     } else if (!fitting_->step()) {
         built_.tooFar = fitting_->tooFar();
@@ -91,6 +92,26 @@ bool PrimitiveMapJob::step() {
         return false;
     }
     return true;
+}
+
+std::shared_ptr<const std::vector<WorldTriangle>> PrimitiveMapJob::seeThrough() const {
+    std::vector<WorldTriangle> triangles;
+    for (const Placed& of : placed_) {
+        const Geometry& geometry = *of.batch->geometry;
+        const auto cornerAt = [&](std::uint32_t index) {
+            const glm::dvec4 corner(geometry.positions[geometry.indices[index]], 1.0);
+            return glm::dvec3(of.worldFromBatch * corner);
+        };
+        for (const SurfaceGroup& group : geometry.groups) {
+            if (!(*materials_)[group.material].isSeeThrough()) continue;
+            if (of.animated) return nullptr;
+            for (std::uint32_t i = 0; i < group.indexCount; i += 3) {
+                const std::uint32_t first = group.firstIndex + i;
+                triangles.push_back({cornerAt(first), cornerAt(first + 1), cornerAt(first + 2)});
+            }
+        }
+    }
+    return std::make_shared<const std::vector<WorldTriangle>>(std::move(triangles));
 }
 
 } // namespace edgeshade

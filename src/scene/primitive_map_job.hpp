@@ -68,6 +68,8 @@ class PrimitiveMapJob {
     /// Returns whether work remains.
     bool step();
     void cancel();
+    /// The see-through surfaces, in the world. Null if any of them moves.
+    std::shared_ptr<const std::vector<WorldTriangle>> seeThrough() const;
 
     struct Placed {
         const Batch* batch;

@@ -221,5 +221,33 @@ TEST_F(ManyMaps, WhereVolumesAreCountedOnlyWhatIsSeeThroughNeedsSome) {
     EXPECT_LT(volumes.bytesOf(lights[0]), maps.bytesOf(lights[0]));
 }
 
+/// Bytes of the map of a lamp over the town with a pane in a batch of its own, where casters don't
+/// look up. `moves`: an animation can move the pane.
+std::size_t bytesForPane(bool moves) {
+    Material pane;
+    pane.alphaMode = AlphaMode::blend;
+    LoadedScene loaded{{}, town().scene(), {}, {}, {}, {}};
+    Scene glazed = SceneBuilder()
+                       .material(pane)
+                       .quad({-8, 0.6f, 0}, {-7, 0.6f, 0}, {-7, 1.6f, 0}, {-8, 1.6f, 0})
+                       .scene();
+    Batch& batch = loaded.scene.batches.emplace_back(std::move(glazed.batches.front()));
+    for (SurfaceGroup& group : batch.geometry.edit().groups)
+        group.material += loaded.scene.materials.size();
+    loaded.scene.materials.insert(loaded.scene.materials.end(), glazed.materials.begin(),
+                                  glazed.materials.end());
+    if (moves) batch.node = 0;
+    loaded.planePairs = buildPlanePairs(loaded.scene, false);
+    PrimitiveMapTask task{test::pointLight({0, 3, 0.8}), false, {}};
+    task.settings.othersReceive = true;
+    PrimitiveMapJob job(loaded, task, {});
+    job.finish();
+    return job.built().map.value().bytes();
+}
+
+TEST(PrimitiveMapJob, ForPanesAtRestBuildsLittle) {
+    EXPECT_LT(2 * bytesForPane(false), bytesForPane(true)) << "a pane that moves may go anywhere";
+}
+
 } // namespace
 } // namespace edgeshade

@@ -31,6 +31,12 @@ class Draw {
     std::mt19937 random_;
 };
 
+glm::dvec3 pointOn(const Corners& triangle, Draw& draw) {
+    double u = draw.unit(), v = draw.unit();
+    if (u + v > 1.0) u = 1.0 - u, v = 1.0 - v;
+    return triangle[0] + u * (triangle[1] - triangle[0]) + v * (triangle[2] - triangle[0]);
+}
+
 std::vector<Corners> trianglesOf(const Scene& scene) {
     std::vector<Corners> triangles;
     for (const Batch& batch : scene.batches)
@@ -47,7 +53,9 @@ std::vector<Corners> trianglesOf(const Scene& scene) {
     return triangles;
 }
 
-PrimitiveMap mapOf(const Scene& scene, const Light& light, int size, bool othersReceive) {
+/// `lookingUp`: the surfaces that look up; null: any may.
+PrimitiveMap mapOf(const Scene& scene, const Light& light, int size, bool othersReceive,
+                   std::shared_ptr<const std::vector<WorldTriangle>> lookingUp = nullptr) {
     std::vector<PlacedCasters> casters;
     const auto shadows = buildPlanePairs(scene, false);
     for (std::size_t i = 0; i < shadows.size(); ++i)
@@ -56,6 +64,7 @@ PrimitiveMap mapOf(const Scene& scene, const Light& light, int size, bool others
     PrimitiveMapSettings settings;
     settings.size = size;
     settings.othersReceive = othersReceive;
+    settings.lookingUp = std::move(lookingUp);
     PrimitiveMapBuilder builder(light, casters, settings);
     builder.buildAllParts();
     return builder.join().value();
@@ -120,9 +129,7 @@ Tally askAround(const Scene& scene, const Light& light, int size, bool anywhere,
         if (!anywhere || i % 2 == 0) {
             own = draw.below(triangles.size());
             const Corners& on = triangles[own];
-            double u = draw.unit(), v = draw.unit();
-            if (u + v > 1.0) u = 1.0 - u, v = 1.0 - v;
-            point = on[0] + u * (on[1] - on[0]) + v * (on[2] - on[0]);
+            point = pointOn(on, draw);
             casts = (lightSideOf(on, light.position) > 0) != mirrored;
         }
         const auto expected = isLit(triangles, own, point, light);
@@ -354,6 +361,72 @@ TEST(PrimitiveMapBuilding, OfNothingLightsEverything) {
     builder.buildAllParts();
     const PrimitiveMap map = builder.join().value();
     EXPECT_TRUE(PrimitiveLookup(map).lights({1, 2, 3}, false));
+}
+
+/// Small panes in and beside a box; `through`: one that goes through this point.
+std::vector<WorldTriangle> panesAround(const Box& box, std::optional<glm::dvec3> through,
+                                       Draw& draw) {
+    std::vector<WorldTriangle> panes;
+    for (int i = 0; i < 3; ++i) {
+        const glm::dvec3 at = box.center() + 0.5 * draw.inCube() * (box.high - box.low);
+        panes.push_back({at, at + 0.7 * draw.inCube(), at + 0.7 * draw.inCube()});
+    }
+    const glm::dvec3 aside = draw.inCube();
+    if (through) panes.push_back({*through - aside, *through + aside, *through + draw.inCube()});
+    return panes;
+}
+
+/// Answers of a map for panes, for points on them. `listed`: its entries, of those of a whole map.
+struct PaneTally {
+    std::size_t dark = 0, wrong = 0;
+    double listed = 0.0;
+};
+
+PaneTally askPanes(const Light& light, unsigned seed, bool throughLight) {
+    Draw draw(seed);
+    const Scene scene = clutter(seed, 300);
+    const auto through = throughLight ? std::optional(glm::dvec3(light.position)) : std::nullopt;
+    const auto panes = std::make_shared<const std::vector<WorldTriangle>>(
+        panesAround(worldBounds(scene), through, draw));
+    const PrimitiveMap whole = mapOf(scene, light, 64, true),
+                       part = mapOf(scene, light, 64, true, panes);
+    const PrimitiveLookup inWhole(whole), inPart(part);
+    PaneTally tally;
+    tally.listed = static_cast<double>(part.entries) / static_cast<double>(whole.entries);
+    for (int i = 0; i < 2000; ++i) {
+        const glm::dvec3 point = pointOn((*panes)[draw.below(panes->size())], draw);
+        const bool isLit = inWhole.lights(point, false);
+        tally.dark += isLit ? 0 : 1;
+        tally.wrong += inPart.lights(point, false) == isLit ? 0 : 1;
+    }
+    return tally;
+}
+
+TEST(PrimitiveMapBuilding, ForPanesListsTheSameOnThemAndLittleElsewhere) {
+    std::size_t dark = 0;
+    double listed = 0.0;
+    unsigned maps = 0;
+    for (const Light& light : lights())
+        for (unsigned seed = 0; seed < 4; ++seed) {
+            const PaneTally tally = askPanes(light, seed, false);
+            EXPECT_EQ(tally.wrong, 0u);
+            dark += tally.dark;
+            listed += tally.listed;
+            ++maps;
+        }
+    EXPECT_GT(dark, 300u * maps);
+    EXPECT_LT(listed, 0.3 * maps);
+}
+
+TEST(PrimitiveMapBuilding, ForPanesThatHoldTheLightListsTheSameOnThem) {
+    std::size_t dark = 0;
+    for (const Light& light : lights())
+        for (unsigned seed = 0; light.position.w != 0.0 && seed < 4; ++seed) {
+            const PaneTally tally = askPanes(light, seed, true);
+            EXPECT_EQ(tally.wrong, 0u);
+            dark += tally.dark;
+        }
+    EXPECT_GT(dark, 1000u);
 }
 
 TEST(PrimitiveMapBuilding, ListsNoSheetThatIsOne) {

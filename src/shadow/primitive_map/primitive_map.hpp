@@ -4,11 +4,16 @@
 #include "src/shadow/primitive_map/light_tiles.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace edgeshade {
+
+/// Corners of a triangle in the world.
+using WorldTriangle = std::array<glm::dvec3, 3>;
 
 /// Parameters of primitive maps.
 struct PrimitiveMapSettings {
@@ -25,6 +30,8 @@ struct PrimitiveMapSettings {
     bool othersReceive = false; ///< some surfaces are not casters
     Box receivers; ///< everything that the light shines on, in the world; for directional lights
                    ///< with an extent
+    /// The surfaces that look up, if the map needn't serve others. Null: any may.
+    std::shared_ptr<const std::vector<WorldTriangle>> lookingUp;
     CutoutTextures cutouts; ///< textures of casting alpha-tested triangles; empty if none of them
                             ///< cast
 };

@@ -176,7 +176,7 @@ class PrimitiveMapBuilder::PartBuilder {
     /// `looks` that were examined. `depth`: of the division.
     void fill(int x, int y, int side, const Candidates& candidates, std::size_t looks,
               std::size_t depth) {
-        if (looks == 0 || builder_.tooLarge_) return;
+        if (looks == 0 || builder_.tooLarge_ || !builder_.isWanted(part_.tile, x, y, side)) return;
         if (filled_.size() == depth) filled_.push_back(std::make_unique<Filled>());
         auto& [found, divided] = *filled_[depth];
         findOccluders(tile_, candidates, builder_.squareOf(x, y, side),
@@ -327,13 +327,15 @@ PrimitiveMapBuilder::PrimitiveMapBuilder(const Light& light,
         tiles_ = *tiles;
         occluders_ = occludersOf(light, tiles_, casters);
     }
-    prints_.resize(tiles_.tiles.size());
-    for (std::size_t tile = 0; tile < prints_.size(); ++tile) {
-        if (prints_.size() == 1) prints_[tile].prints.reserve(occluders_.all.size());
+    inTile_.resize(tiles_.tiles.size());
+    for (std::size_t tile = 0; tile < inTile_.size(); ++tile) {
+        if (settings_.lookingUp)
+            inTile_[tile].wanted.emplace(tiles_, tile, settings_.size, *settings_.lookingUp);
+        if (inTile_.size() == 1) inTile_[tile].prints.reserve(occluders_.all.size());
         for (std::size_t i = 0; i < occluders_.all.size(); ++i) {
             auto print =
                 footprintOf(occluders_.all[i], static_cast<std::uint32_t>(i), tiles_, tile);
-            if (print) prints_[tile].prints.push_back(*print);
+            if (print) inTile_[tile].prints.push_back(*print);
         }
         divideIntoParts(tile);
     }
@@ -356,7 +358,8 @@ void PrimitiveMapBuilder::chargeList(std::size_t triangles) {
 }
 
 void PrimitiveMapBuilder::lookForLongLists() {
-    if (settings_.mostSplits > 0) return; // a piece of a texel may have a shorter list
+    // A piece of a texel may have a shorter list, and a texel that nobody asks has none.
+    if (settings_.mostSplits > 0 || settings_.lookingUp) return;
     std::vector<const Part*> crowded;
     for (const Part& part : parts_)
         if (part.candidates.size() > settings_.longestWanted) crowded.push_back(&part);
@@ -392,8 +395,13 @@ void PrimitiveMapBuilder::lookForLongLists(const Part& part) {
     chargeList(densest.listed.size());
 }
 
+bool PrimitiveMapBuilder::isWanted(std::size_t tile, int x, int y, int side) const {
+    const std::optional<WantedTexels>& wanted = inTile_[tile].wanted;
+    return !wanted || wanted->anyIn(x, y, side);
+}
+
 TileFootprints PrimitiveMapBuilder::footprintsOf(std::size_t tile) const {
-    return {occluders_.all, prints_[tile].prints, tiles_.directional, TileSpread(tiles_, tile)};
+    return {occluders_.all, inTile_[tile].prints, tiles_.directional, TileSpread(tiles_, tile)};
 }
 
 /// The arguments are in texels of the tile.
@@ -404,7 +412,7 @@ RaySquare PrimitiveMapBuilder::squareOf(double x, double y, double side) const {
 }
 
 void PrimitiveMapBuilder::divideIntoParts(std::size_t tile) {
-    const std::vector<Footprint>& prints = prints_[tile].prints;
+    const std::vector<Footprint>& prints = inTile_[tile].prints;
     const int side = std::min(partSide, settings_.size);
     const int perRow = settings_.size / side;
     const std::size_t first = parts_.size();
@@ -436,6 +444,8 @@ void PrimitiveMapBuilder::divideIntoParts(std::size_t tile) {
 
 void PrimitiveMapBuilder::buildPart(std::size_t index) {
     Part& part = parts_[index];
+    if (!isWanted(part.tile, part.x, part.y, part.side)) part.candidates = {};
+    if (part.candidates.empty()) return; // join() takes its texels to have nothing
     PartBuilder(*this, part).fill();
     part.candidates = {};
     // The parts' arrays take as much memory as the map; what they grew by is free for the next one.
@@ -476,7 +486,7 @@ std::optional<PrimitiveMap> PrimitiveMapBuilder::join() {
     std::size_t lists = 0, nextBlock = map.headers - blocks;
     for (Part& from : parts_) {
         const Part part = std::move(from);
-        const std::vector<Footprint>& prints = prints_[part.tile].prints;
+        const std::vector<Footprint>& prints = inTile_[part.tile].prints;
         std::vector<float> listAt(part.lists.size());
         lists += part.lists.size();
         for (std::size_t l = 0; l < part.lists.size(); ++l) {

@@ -2,6 +2,7 @@
 
 #include "src/shadow/primitive_map/primitive_map.hpp"
 #include "src/shadow/primitive_map/texel_occluders.hpp"
+#include "src/shadow/primitive_map/wanted_texels.hpp"
 
 #include <atomic>
 #include <string>
@@ -62,6 +63,7 @@ class PrimitiveMapBuilder {
     };
     struct Tile {
         std::vector<Footprint> prints;
+        std::optional<WantedTexels> wanted; ///< null: all
     };
     class PartBuilder;
 
@@ -70,6 +72,8 @@ class PrimitiveMapBuilder {
     /// Stops building if a list is longer than allowed.
     void chargeList(std::size_t triangles);
     void lookForLongLists(const Part& part);
+    /// Whether any of a square's texels is looked up.
+    bool isWanted(std::size_t tile, int x, int y, int side) const;
     TileFootprints footprintsOf(std::size_t tile) const;
     RaySquare squareOf(double x, double y, double side) const;
     void divideIntoParts(std::size_t tile);
@@ -77,7 +81,7 @@ class PrimitiveMapBuilder {
     PrimitiveMapSettings settings_;
     LightTiles tiles_;
     Occluders occluders_;
-    std::vector<Tile> prints_; ///< by tile
+    std::vector<Tile> inTile_; ///< by tile
     std::vector<Part> parts_;
     std::atomic<std::size_t> listed_ = 0; ///< entries and texels, of all parts
     std::atomic<std::size_t> looks_ = 0;  ///< tests of a footprint against a square
