@@ -83,7 +83,7 @@ bool PrimitiveMapJob::step() {
     } else if (!fitting_) {
         std::vector<PlacedCasters> casters = solid_;
         casters.insert(casters.end(), cutouts_.begin(), cutouts_.end());
-        if (!castersReceive_) settings_.lookingUp = seeThrough();
+        if (!castersReceive_) restrictToSeeThrough();
         fitting_.emplace(light_, std::move(casters), settings_);
     } else if (!fitting_->step()) {
         built_.tooFar = fitting_->tooFar();
@@ -94,8 +94,7 @@ bool PrimitiveMapJob::step() {
     return true;
 }
 
-std::shared_ptr<const std::vector<WorldTriangle>> PrimitiveMapJob::seeThrough() const {
-    std::vector<WorldTriangle> triangles;
+void PrimitiveMapJob::restrictToSeeThrough() {
     for (const Placed& of : placed_) {
         const Geometry& geometry = *of.batch->geometry;
         const auto cornerAt = [&](std::uint32_t index) {
@@ -104,14 +103,14 @@ std::shared_ptr<const std::vector<WorldTriangle>> PrimitiveMapJob::seeThrough() 
         };
         for (const SurfaceGroup& group : geometry.groups) {
             if (!(*materials_)[group.material].isSeeThrough()) continue;
-            if (of.animated) return nullptr;
+            if (of.animated) return;
             for (std::uint32_t i = 0; i < group.indexCount; i += 3) {
                 const std::uint32_t first = group.firstIndex + i;
-                triangles.push_back({cornerAt(first), cornerAt(first + 1), cornerAt(first + 2)});
+                seeThrough_.push_back({cornerAt(first), cornerAt(first + 1), cornerAt(first + 2)});
             }
         }
     }
-    return std::make_shared<const std::vector<WorldTriangle>>(std::move(triangles));
+    settings_.lookingUp = &seeThrough_;
 }
 
 } // namespace edgeshade

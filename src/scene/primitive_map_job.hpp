@@ -68,8 +68,8 @@ class PrimitiveMapJob {
     /// Returns whether work remains.
     bool step();
     void cancel();
-    /// The see-through surfaces, in the world. Null if any of them moves.
-    std::shared_ptr<const std::vector<WorldTriangle>> seeThrough() const;
+    /// Has the map list nothing for others than see-through surfaces, unless any of these moves.
+    void restrictToSeeThrough();
 
     struct Placed {
         const Batch* batch;
@@ -84,6 +84,7 @@ class PrimitiveMapJob {
     std::vector<Placed> placed_;
     KeptEdges edges_;
     std::vector<PlacedCasters> solid_, cutouts_;
+    std::vector<WorldTriangle> seeThrough_;
     std::optional<FittingMap> fitting_;
     BuiltPrimitiveMap built_;
     std::atomic<bool> done_ = false;

@@ -55,7 +55,7 @@ std::vector<Corners> trianglesOf(const Scene& scene) {
 
 /// `lookingUp`: the surfaces that look up; null: any may.
 PrimitiveMap mapOf(const Scene& scene, const Light& light, int size, bool othersReceive,
-                   std::shared_ptr<const std::vector<WorldTriangle>> lookingUp = nullptr) {
+                   const std::vector<WorldTriangle>* lookingUp = nullptr) {
     std::vector<PlacedCasters> casters;
     const auto shadows = buildPlanePairs(scene, false);
     for (std::size_t i = 0; i < shadows.size(); ++i)
@@ -64,7 +64,7 @@ PrimitiveMap mapOf(const Scene& scene, const Light& light, int size, bool others
     PrimitiveMapSettings settings;
     settings.size = size;
     settings.othersReceive = othersReceive;
-    settings.lookingUp = std::move(lookingUp);
+    settings.lookingUp = lookingUp;
     PrimitiveMapBuilder builder(light, casters, settings);
     builder.buildAllParts();
     return builder.join().value();
@@ -386,15 +386,14 @@ PaneTally askPanes(const Light& light, unsigned seed, bool throughLight) {
     Draw draw(seed);
     const Scene scene = clutter(seed, 300);
     const auto through = throughLight ? std::optional(glm::dvec3(light.position)) : std::nullopt;
-    const auto panes = std::make_shared<const std::vector<WorldTriangle>>(
-        panesAround(worldBounds(scene), through, draw));
+    const std::vector<WorldTriangle> panes = panesAround(worldBounds(scene), through, draw);
     const PrimitiveMap whole = mapOf(scene, light, 64, true),
-                       part = mapOf(scene, light, 64, true, panes);
+                       part = mapOf(scene, light, 64, true, &panes);
     const PrimitiveLookup inWhole(whole), inPart(part);
     PaneTally tally;
     tally.listed = static_cast<double>(part.entries) / static_cast<double>(whole.entries);
     for (int i = 0; i < 2000; ++i) {
-        const glm::dvec3 point = pointOn((*panes)[draw.below(panes->size())], draw);
+        const glm::dvec3 point = pointOn(panes[draw.below(panes.size())], draw);
         const bool isLit = inWhole.lights(point, false);
         tally.dark += isLit ? 0 : 1;
         tally.wrong += inPart.lights(point, false) == isLit ? 0 : 1;

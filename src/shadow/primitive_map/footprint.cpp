@@ -225,23 +225,6 @@ std::optional<Footprint> footprintOf(const Occluder& occluder, std::uint32_t ind
     return print;
 }
 
-std::optional<RaySquare> raysTo(const std::array<glm::dvec3, 3>& corners, const LightTiles& tiles,
-                                std::size_t tile) {
-    Polygon triangle;
-    for (const glm::dvec3& corner : corners)
-        triangle.add(tiles.rayTo(tile, corner));
-    const Polygon part = tiles.directional ? triangle : partInTile(triangle, {});
-    if (part.count == 0) return std::nullopt;
-    RaySquare rays{glm::dvec2(INFINITY), glm::dvec2(-INFINITY)};
-    for (std::size_t i = 0; i < part.count; ++i) {
-        const glm::dvec3& point = part.corners[i];
-        if (!(point.z > 0.0)) return RaySquare{glm::dvec2(-1.0), glm::dvec2(1.0)}; // at the light
-        rays.low = glm::min(rays.low, glm::dvec2(point) / point.z);
-        rays.high = glm::max(rays.high, glm::dvec2(point) / point.z);
-    }
-    return rays;
-}
-
 bool Footprint::mayTouch(const RaySquare& square) const {
     if (high.x < square.low.x || low.x > square.high.x || high.y < square.low.y ||
         low.y > square.high.y)

@@ -84,8 +84,4 @@ struct Footprint {
 std::optional<Footprint> footprintOf(const Occluder& occluder, std::uint32_t index,
                                      const LightTiles& tiles, std::size_t tile);
 
-/// A box around the tile's rays to the triangle, whose corners are in map space. Null: it has none.
-std::optional<RaySquare> raysTo(const std::array<glm::dvec3, 3>& corners, const LightTiles& tiles,
-                                std::size_t tile);
-
 } // namespace edgeshade

@@ -7,7 +7,6 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <memory>
 #include <vector>
 
 namespace edgeshade {
@@ -30,8 +29,9 @@ struct PrimitiveMapSettings {
     bool othersReceive = false; ///< some surfaces are not casters
     Box receivers; ///< everything that the light shines on, in the world; for directional lights
                    ///< with an extent
-    /// The surfaces that look up, if the map needn't serve others. Null: any may.
-    std::shared_ptr<const std::vector<WorldTriangle>> lookingUp;
+    /// The surfaces that look up, if the map needn't serve others; they outlive the building. Null:
+    /// any may.
+    const std::vector<WorldTriangle>* lookingUp = nullptr;
     CutoutTextures cutouts; ///< textures of casting alpha-tested triangles; empty if none of them
                             ///< cast
 };

@@ -327,15 +327,15 @@ PrimitiveMapBuilder::PrimitiveMapBuilder(const Light& light,
         tiles_ = *tiles;
         occluders_ = occludersOf(light, tiles_, casters);
     }
-    inTile_.resize(tiles_.tiles.size());
-    for (std::size_t tile = 0; tile < inTile_.size(); ++tile) {
+    prints_.resize(tiles_.tiles.size());
+    for (std::size_t tile = 0; tile < prints_.size(); ++tile) {
         if (settings_.lookingUp)
-            inTile_[tile].wanted.emplace(tiles_, tile, settings_.size, *settings_.lookingUp);
-        if (inTile_.size() == 1) inTile_[tile].prints.reserve(occluders_.all.size());
+            wanted_.emplace_back(tiles_, tile, settings_.size, *settings_.lookingUp);
+        if (prints_.size() == 1) prints_[tile].prints.reserve(occluders_.all.size());
         for (std::size_t i = 0; i < occluders_.all.size(); ++i) {
             auto print =
                 footprintOf(occluders_.all[i], static_cast<std::uint32_t>(i), tiles_, tile);
-            if (print) inTile_[tile].prints.push_back(*print);
+            if (print) prints_[tile].prints.push_back(*print);
         }
         divideIntoParts(tile);
     }
@@ -396,12 +396,11 @@ void PrimitiveMapBuilder::lookForLongLists(const Part& part) {
 }
 
 bool PrimitiveMapBuilder::isWanted(std::size_t tile, int x, int y, int side) const {
-    const std::optional<WantedTexels>& wanted = inTile_[tile].wanted;
-    return !wanted || wanted->anyIn(x, y, side);
+    return wanted_.empty() || wanted_[tile].anyIn(x, y, side);
 }
 
 TileFootprints PrimitiveMapBuilder::footprintsOf(std::size_t tile) const {
-    return {occluders_.all, inTile_[tile].prints, tiles_.directional, TileSpread(tiles_, tile)};
+    return {occluders_.all, prints_[tile].prints, tiles_.directional, TileSpread(tiles_, tile)};
 }
 
 /// The arguments are in texels of the tile.
@@ -412,7 +411,7 @@ RaySquare PrimitiveMapBuilder::squareOf(double x, double y, double side) const {
 }
 
 void PrimitiveMapBuilder::divideIntoParts(std::size_t tile) {
-    const std::vector<Footprint>& prints = inTile_[tile].prints;
+    const std::vector<Footprint>& prints = prints_[tile].prints;
     const int side = std::min(partSide, settings_.size);
     const int perRow = settings_.size / side;
     const std::size_t first = parts_.size();
@@ -486,7 +485,7 @@ std::optional<PrimitiveMap> PrimitiveMapBuilder::join() {
     std::size_t lists = 0, nextBlock = map.headers - blocks;
     for (Part& from : parts_) {
         const Part part = std::move(from);
-        const std::vector<Footprint>& prints = inTile_[part.tile].prints;
+        const std::vector<Footprint>& prints = prints_[part.tile].prints;
         std::vector<float> listAt(part.lists.size());
         lists += part.lists.size();
         for (std::size_t l = 0; l < part.lists.size(); ++l) {

@@ -63,7 +63,6 @@ class PrimitiveMapBuilder {
     };
     struct Tile {
         std::vector<Footprint> prints;
-        std::optional<WantedTexels> wanted; ///< null: all
     };
     class PartBuilder;
 
@@ -81,7 +80,8 @@ class PrimitiveMapBuilder {
     PrimitiveMapSettings settings_;
     LightTiles tiles_;
     Occluders occluders_;
-    std::vector<Tile> inTile_; ///< by tile
+    std::vector<Tile> prints_;         ///< by tile
+    std::vector<WantedTexels> wanted_; ///< by tile; empty: all are
     std::vector<Part> parts_;
     std::atomic<std::size_t> listed_ = 0; ///< entries and texels, of all parts
     std::atomic<std::size_t> looks_ = 0;  ///< tests of a footprint against a square

@@ -1,69 +1,66 @@
 #include "src/shadow/primitive_map/wanted_texels.hpp"
 
-#include "src/shadow/primitive_map/footprint.hpp"
-
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace edgeshade {
+namespace {
+
+constexpr int mostCells = 64; ///< along a tile's edge
+
+/// A rectangle of rays that holds all of the tile's to the triangle. It may be the whole tile where
+/// a corner is behind the light. Null: there are none.
+std::optional<RaySquare> raysTo(const WorldTriangle& triangle, const LightTiles& tiles,
+                                std::size_t tile) {
+    constexpr double grown = 1.0 + 1e-3; // the tile's pyramid
+    RaySquare rays{glm::dvec2(INFINITY), glm::dvec2(-INFINITY)};
+    glm::dvec2 least = rays.low, most = rays.high; // of coordinates beyond the tile's sides
+    bool inFront = true;
+    for (const glm::dvec3& corner : triangle) {
+        const glm::dvec3 map(tiles.mapFromWorld * glm::dvec4(corner, 1.0));
+        const glm::dvec3 ray = tiles.rayTo(tile, map);
+        const glm::dvec2 at(ray);
+        least = glm::min(least, at - grown * ray.z);
+        most = glm::max(most, at + grown * ray.z);
+        inFront = inFront && ray.z > 0.0;
+        rays.low = glm::min(rays.low, at / ray.z);
+        rays.high = glm::max(rays.high, at / ray.z);
+    }
+    if (inFront) return rays;
+    if (std::max(least.x, least.y) > 0.0 || std::min(most.x, most.y) < 0.0) return std::nullopt;
+    return RaySquare{glm::dvec2(-1.0), glm::dvec2(1.0)};
+}
+
+} // namespace
 
 WantedTexels::WantedTexels(const LightTiles& tiles, std::size_t tile, int size,
                            std::span<const WorldTriangle> triangles)
-    : size_(size) {
-    const auto corners = static_cast<std::size_t>(size + 1);
-    sums_.resize(corners * corners);
-    for (const WorldTriangle& triangle : triangles) {
-        std::array<glm::dvec3, 3> inMap;
-        std::transform(triangle.begin(), triangle.end(), inMap.begin(), [&](const glm::dvec3& p) {
-            return glm::dvec3(tiles.mapFromWorld * glm::dvec4(p, 1.0));
-        });
-        if (const auto rays = raysTo(inMap, tiles, tile)) add(*rays);
-    }
-    // From the changes at the rectangles' corners to how many hold each texel, one after it.
-    for (int y = 0; y < size; ++y)
-        for (int x = 1; x < size; ++x)
-            sumAt(x, y) += sumAt(x - 1, y);
-    for (int y = 1; y < size; ++y)
-        for (int x = 0; x < size; ++x)
-            sumAt(x, y) += sumAt(x, y - 1);
-    for (int y = size; y >= 0; --y)
-        for (int x = size; x >= 0; --x)
-            sumAt(x, y) = x > 0 && y > 0 && sumAt(x - 1, y - 1) > 0 ? 1 : 0;
-    for (int y = 1; y <= size; ++y)
-        for (int x = 1; x <= size; ++x)
-            sumAt(x, y) += sumAt(x - 1, y) + sumAt(x, y - 1) - sumAt(x - 1, y - 1);
-}
-
-/// Adds one to the texels that the rays may be in: notes at the corners of that rectangle how the
-/// number changes there.
-void WantedTexels::add(const RaySquare& rays) {
-    const auto texelAt = [&](double at) {
+    : cells_(std::min(size, mostCells)), cellSide_(size / cells_),
+      wanted_(static_cast<std::size_t>(cells_ * cells_)) {
+    const auto cellAt = [&](double at) {
         return static_cast<int>(
-            std::clamp(std::floor((at + 1.0) * 0.5 * size_), -1.0, static_cast<double>(size_)));
+            std::clamp(std::floor((at + 1.0) * 0.5 * cells_), -1.0, static_cast<double>(cells_)));
     };
-    const RaySquare grown = rays.grownBy(2.0 * mapRounding);
-    const int left = std::max(0, texelAt(grown.low.x)), low = std::max(0, texelAt(grown.low.y));
-    const int right = std::min(size_ - 1, texelAt(grown.high.x)) + 1;
-    const int high = std::min(size_ - 1, texelAt(grown.high.y)) + 1;
-    if (left >= right || low >= high) return;
-    ++sumAt(left, low);
-    --sumAt(right, low);
-    --sumAt(left, high);
-    ++sumAt(right, high);
+    for (const WorldTriangle& triangle : triangles) {
+        const auto rays = raysTo(triangle, tiles, tile);
+        if (!rays) continue;
+        const RaySquare grown = rays->grownBy(2.0 * mapRounding);
+        const int left = std::max(0, cellAt(grown.low.x));
+        const int right = std::min(cells_ - 1, cellAt(grown.high.x));
+        const int high = std::min(cells_ - 1, cellAt(grown.high.y));
+        for (int y = std::max(0, cellAt(grown.low.y)); y <= high; ++y)
+            for (int x = left; x <= right; ++x)
+                wanted_[static_cast<std::size_t>(y * cells_ + x)] = 1;
+    }
 }
 
 bool WantedTexels::anyIn(int x, int y, int side) const {
-    return sumAt(x + side, y + side) - sumAt(x, y + side) - sumAt(x + side, y) + sumAt(x, y) > 0;
-}
-
-std::uint32_t& WantedTexels::sumAt(int x, int y) {
-    return sums_[static_cast<std::size_t>(y) * static_cast<std::size_t>(size_ + 1) +
-                 static_cast<std::size_t>(x)];
-}
-
-std::uint32_t WantedTexels::sumAt(int x, int y) const {
-    return sums_[static_cast<std::size_t>(y) * static_cast<std::size_t>(size_ + 1) +
-                 static_cast<std::size_t>(x)];
+    const int right = (x + side - 1) / cellSide_, high = (y + side - 1) / cellSide_;
+    for (int row = y / cellSide_; row <= high; ++row)
+        for (int column = x / cellSide_; column <= right; ++column)
+            if (wanted_[static_cast<std::size_t>(row * cells_ + column)] != 0) return true;
+    return false;
 }
 
 } // namespace edgeshade

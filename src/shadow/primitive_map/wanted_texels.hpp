@@ -1,6 +1,7 @@
 #pragma once
 
 #include "src/shadow/primitive_map/primitive_map.hpp"
+#include "src/shadow/primitive_map/ray_square.hpp"
 
 #include <cstdint>
 #include <span>
@@ -11,8 +12,8 @@ namespace edgeshade {
 /// The texels of a primitive map's tile in which points may be looked up.
 class WantedTexels {
   public:
-    /// Those that may have rays to the triangles. `size`: PrimitiveMapSettings::size; the triangles
-    /// are in the world.
+    /// Those that may have rays to the triangles, and their neighbours up to 8. `size`:
+    /// PrimitiveMapSettings::size; the triangles are in the world.
     WantedTexels(const LightTiles& tiles, std::size_t tile, int size,
                  std::span<const WorldTriangle> triangles);
 
@@ -20,13 +21,9 @@ class WantedTexels {
     bool anyIn(int x, int y, int side) const;
 
   private:
-    void add(const RaySquare& rays);
-    std::uint32_t& sumAt(int x, int y);
-    std::uint32_t sumAt(int x, int y) const;
-
-    int size_;
-    /// How many of the texels below and left of each corner are wanted, row by row.
-    std::vector<std::uint32_t> sums_;
+    /// Cells along the tile's edge, and texels along a cell's.
+    int cells_, cellSide_;
+    std::vector<std::uint8_t> wanted_; ///< by cell, row by row
 };
 
 } // namespace edgeshade
