@@ -448,22 +448,27 @@ TEST(FullShading, SeeThroughSurfacesAreInShadowToo) {
     EXPECT_LT(shaded.r + 30.0, bright.r);
 }
 
-/// A see-through box, with its triangles in the file's order or reversed.
+/// A see-through box, green in front and red on its other sides, with its triangles in the file's
+/// order or reversed.
 std::vector<std::uint8_t> seeThroughBox(bool reversed, bool doubleSided, bool mirrored = false) {
     GltfBuilder gltf;
     gltf.addMaterial({{"alphaMode", "BLEND"},
                       {"doubleSided", doubleSided},
                       {"pbrMetallicRoughness",
-                       {{"baseColorFactor", {0.9, 0.5, 0.3, 0.6}}, {"metallicFactor", 0}}}});
+                       {{"baseColorFactor", {0.9, 0.9, 0.3, 0.6}}, {"metallicFactor", 0}}}});
     test::Shape shape = test::box({1, 1, 1});
+    std::vector<glm::vec3> colors;
+    for (const glm::vec3& normal : shape.normals)
+        colors.push_back(normal.z > 0.5f ? glm::vec3(0, 1, 1) : glm::vec3(1, 0, 1));
     if (reversed)
         for (std::size_t i = 0, j = shape.indices.size(); i + 3 < j; i += 3) {
             j -= 3;
             for (std::size_t c = 0; c < 3; ++c)
                 std::swap(shape.indices[i + c], shape.indices[j + c]);
         }
-    gltf.addNode({{"mesh", gltf.addShape(shape, {{"material", 0}})},
-                  {"scale", {mirrored ? -1.0 : 1.0, 1.0, 1.0}}});
+    Json primitive = gltf.primitiveOf(shape, {{"material", 0}});
+    primitive["attributes"]["COLOR_0"] = gltf.addVectors(colors);
+    gltf.addNode({{"mesh", gltf.addMesh(primitive)}, {"scale", {mirrored ? -1.0 : 1.0, 1.0, 1.0}}});
     return draw(gltf, {{{1.5, 2, 5}, {0, 0, 0}, 40.0}, {sun({0.5, 2, 3})}, size, size},
                 fullSettings(0.5f));
 }
@@ -473,6 +478,11 @@ TEST(FullShading, TheOrderOfSeeThroughTrianglesMakesNoDifference) {
         for (const bool mirrored : {false, true})
             EXPECT_EQ(seeThroughBox(false, doubleSided, mirrored),
                       seeThroughBox(true, doubleSided, mirrored));
+    // The green front hides part of the red back, which shows only if it has two sides.
+    for (const bool doubleSided : {false, true}) {
+        const Color seen = at(seeThroughBox(false, doubleSided), size / 2, size / 2);
+        EXPECT_GT(seen.g, seen.r + 20.0);
+    }
     // Surfaces seen from behind hide part of what is behind them.
     EXPECT_LT(at(seeThroughBox(false, true), size / 2, size / 2).b + 10.0,
               at(seeThroughBox(false, false), size / 2, size / 2).b);
