@@ -14,8 +14,8 @@ constexpr int leastSize = 16;
 
 /// Casting triangles within a light's range.
 std::size_t castersWithin(const Light& light, const PlacedCasters& placed) {
-    const WeldedMesh& mesh = placed.casters->mesh;
     if (!placed.cast) return 0;
+    const WeldedMesh& mesh = placed.casters->mesh;
     if (!light.hasRange()) return mesh.triangles.size();
     const glm::dvec3 at(glm::inverse(placed.worldFromBatch) * light.position);
     const double range = rangeInObject(light, placed.worldFromBatch);
