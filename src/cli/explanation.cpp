@@ -1,5 +1,6 @@
 #include "src/cli/explanation.hpp"
 
+#include "src/render/accumulation/extended_lights.hpp"
 #include "src/render/frame/frame.hpp"
 #include "src/render/frame/light_methods.hpp"
 #include "src/rivals/maps/map_filters.hpp"
@@ -85,6 +86,8 @@ std::string explanationOf(const Renderer& renderer, const GpuScene& scene, const
         return methods + bruteForceOf(renderer.plan());
     if (renderer.volumes()->layout() == VolumeLayout::oppositeVertices)
         return methods + "opposite-vertex records: every edge and all caps of every light, z-fail";
+    if (ExtendedLights::points(view) > 0)
+        methods += "each light with an extent is the sum of its points; of the last pass:\n";
     return methods + explain(renderer.plan(), view);
 }
 

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -355,6 +357,18 @@ TEST(Rendering, ExplainsWhatIsDrawnAndWhy) {
     EXPECT_NE(
         explained({"--light", "2,3,2", "--light-range", "0.5"}).find("beyond the light's range"),
         std::string::npos);
+    // The last pass of a grey mask draws the lamp's points as lights.
+    const std::string points = explained(
+        {"--light", "200,300,200", "--light-radius", "1", "--light-samples", "3", "--mask"});
+    EXPECT_NE(points.find("the sum of its points"), std::string::npos) << points;
+    for (const char* of : {"light 0, at ", "light 1, at ", "light 2, at "}) {
+        double x = 0, y = 0, z = 0;
+        const std::size_t found = points.find(of);
+        ASSERT_NE(found, std::string::npos) << of << " is not in\n" << points;
+        ASSERT_EQ(std::sscanf(points.c_str() + found + std::strlen(of), "%lf,%lf,%lf", &x, &y, &z),
+                  3);
+        EXPECT_LT(glm::distance(glm::dvec3(x, y, z), glm::dvec3(200, 300, 200)), 1.1) << points;
+    }
     EXPECT_NE(explained({"--shadows", "map"}).find("shadow maps"), std::string::npos);
     const std::string maps =
         explained({"--shadows", "map", "--map-size", "256", "--filter", "vsm", "--map-kind",

@@ -72,10 +72,10 @@ const char* wordsFor(LeftOut::Why why) {
     return {};
 }
 
-std::string placeOf(const Light& light) {
+std::string placeOf(const glm::dvec4& light) {
     std::ostringstream text;
-    text << (light.position.w == 0.0 ? "sun towards " : "at ") << light.position.x << ","
-         << light.position.y << "," << light.position.z;
+    text << (light.w == 0.0 ? "sun towards " : "at ") << light.x << "," << light.y << ","
+         << light.z;
     return text.str();
 }
 
@@ -185,7 +185,7 @@ std::vector<std::size_t> slicesOf(const FramePlan& frame, std::size_t light) {
 std::string explain(const FramePlan& plan, const FrameView& view) {
     std::ostringstream text;
     for (std::size_t i = 0; i < plan.slices.front().lights.size(); ++i) {
-        text << "light " << i << ", " << placeOf(view.lights[i].light) << ": ";
+        text << "light " << i << ", " << placeOf(plan.slices.front().lights[i].position) << ": ";
         const std::vector<std::size_t> slices = slicesOf(plan, i);
         if (slices.empty()) {
             text << "it reaches no visible geometry\n";
@@ -202,8 +202,8 @@ std::string explain(const FramePlan& plan, const FrameView& view) {
         }
         if (first.inGroups())
             text << "casters in " << first.counts.size() << " groups, since "
-                 << (view.lights[i].cut ? "they are cut at the light's depth\n"
-                                        : "more volumes may overlap than the stencil can count\n");
+                 << (first.cut ? "they are cut at the light's depth\n"
+                               : "more volumes may overlap than the stencil can count\n");
         for (std::size_t g = 0; g < first.counts.size(); ++g) {
             if (first.inGroups()) text << "group " << g << ": ";
             text << offered(first.counts[g]) << "\n";

@@ -7,6 +7,8 @@ namespace {
 
 void planLight(const FrameTask& task, const DepthSlice& slice, std::size_t light, LightPlan& plan) {
     const FrameLight& of = task.view.lights[light];
+    plan.position = of.light.position;
+    plan.cut = of.cut.has_value();
     if (!of.drawn) return;
     plan.reach = intersection(task.open, lightReach(task.view, slice, of.light));
     if (plan.reach.empty() || !of.shadowed) return;
@@ -31,6 +33,8 @@ void listTogether(const FrameTask& task, SlicePlan& plan) {
 } // namespace
 
 void LightPlan::clear() {
+    position = {};
+    cut = false;
     reach = {};
     counts.clear();
     listed = false;

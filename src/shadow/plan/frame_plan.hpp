@@ -10,7 +10,9 @@ namespace edgeshade {
 
 /// The plan for one light in one depth slice.
 struct LightPlan {
-    PixelRectangle reach; ///< the pixels that the light may change; empty: it is not drawn
+    glm::dvec4 position{0.0}; ///< the light's; w = 0: the direction towards it
+    bool cut = false;         ///< its casters are cut at its depth, FrameLight::cut
+    PixelRectangle reach;     ///< the pixels that the light may change; empty: it is not drawn
     /// One plan for each stencil, in order: one in all, or one for each group of casters; empty if
     /// the light's shadows are not volumes.
     KeptVector<CountPlan> counts;
