@@ -155,6 +155,22 @@ function fence({ mesh }, settings = {}) {
   return made;
 }
 
+/** Replaces instanced meshes by meshes: GLTFExporter of r152 leaves instances out. */
+function replaceInstances(scene) {
+  const instanced = [];
+  scene.traverse((object) => { if (object.isInstancedMesh) instanced.push(object); });
+  for (const many of instanced) {
+    for (let i = 0; i < many.count; ++i) {
+      const one = new three.Mesh(many.geometry, many.material);
+      one.matrixAutoUpdate = false;
+      many.getMatrixAt(i, one.matrix);
+      one.matrix.premultiply(many.matrix);
+      many.parent.add(one);
+    }
+    many.removeFromParent();
+  }
+}
+
 /**
  * Draws, changes the scene, and draws again; returns {red, glb}: redTextOf(), and three.js's export of
  * the visible scene.
@@ -175,6 +191,7 @@ async function changedPicture(world, view, change) {
   await drawn(shadows, scene, other ?? camera);
   const red = redTextOf(renderer);
   scene.traverse((object) => { if (!object.layers.test(camera.layers)) object.visible = false; });
+  if (three.REVISION === '152') replaceInstances(scene);
   const glb = await new GLTFExporter().parseAsync(scene, { binary: true, onlyVisible: true });
   return { red, glb: base64Of(new Uint8Array(glb)) };
 }
