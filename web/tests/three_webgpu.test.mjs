@@ -104,7 +104,7 @@ test('movers have the shadows of three.js\'s own map, until another map holds th
       scene.add(ball);
       shadows.render(scene, camera);
       await shadows.ready();
-      await new Promise((resolve) => { requestAnimationFrame(() => requestAnimationFrame(resolve)); }); // three.js draws its map once a frame
+      await tools.nextFrame();
       ball.position.x += 0.4; // it moves from now on
       const after = await tools.redOf(renderer, () => shadows.render(scene, camera));
       methods.push(shadows.lights[0].method);
@@ -142,6 +142,7 @@ test('above a resting light three.js draws the mover alone, and lights say what 
         had.add(`${method}: ${reason}`);
         await new Promise((resolve) => { setTimeout(resolve, 100); });
       }
+      await tools.nextFrame(); // the last one's map may be of all casters
       return tools.redOf(renderer, () => shadows.render(scene, camera));
     };
     const whole = 'lookup: it rests, and so do all casters', untinted = 'see-through casters that tint nothing meanwhile: 1';
@@ -341,6 +342,7 @@ for (const backend of ['WebGL', 'WebGPU'])
         await new Promise((resolve) => { setTimeout(resolve, 100); });
         shadows.render(scene, camera);
       }
+      await tools.nextFrame();
       told.moving = await judged(shadows, [front], { clipIntersection: false });
       shadows.dispose();
       return told;
@@ -462,7 +464,7 @@ test('leaves that move, and those whose alpha is not known, have the shadows of 
     }
     scene.children[2].position.x += 0.2; // all leaves
     shadows.render(scene, camera);
-    await new Promise((resolve) => { requestAnimationFrame(() => requestAnimationFrame(resolve)); }); // three.js draws its map once a frame
+    await tools.nextFrame();
     told.moving = await dark();
     told.methods = [shadows.lights[0].method];
     const card = (name, material) => {

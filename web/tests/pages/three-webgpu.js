@@ -247,6 +247,9 @@ export async function sceneOf(name) {
   return { scene: name === 'instances' ? posts() : yard().scene, camera: cameraOf(yardView) };
 }
 
+/** Waits until a renderer counts another frame: within one, three.js draws its own maps once for a camera. */
+export const nextFrame = () => new Promise((resolve) => { requestAnimationFrame(() => requestAnimationFrame(resolve)); });
+
 /** Draws until as many lights are looked up with all casters, for at most a minute. Returns their number. */
 export async function rested(shadows, scene, camera, lights = 1) {
   shadows.render(scene, camera);
