@@ -542,3 +542,34 @@ test('devices whose fragment shaders have no 32-bit numbers are refused', () => 
     { message: "ExactShadows needs fragment shaders with 32-bit floats: this device's have 16 binary digits, and exponents from -62 to 62." });
   assert.throws(() => requireFloats(backendOf(full, { rangeMax: 15 })), { message: "ExactShadows needs fragment shaders with 32-bit integers: this device's have 16 bits." });
 });
+
+if (isLong)
+  test('worlds that change at random are looked up as rays find them', async () => {
+    let judged = 0;
+    for (let seed = 1; seed <= 12; ++seed) {
+      const told = await inPage(async (tools, given) => {
+        const { randomWorld } = await import('/tests/random-world.js');
+        const size = { width: 120, height: 80 }, view = { getContext: () => ({ drawingBufferWidth: size.width, drawingBufferHeight: size.height }), clippingPlanes: [] };
+        const renderer = await tools.rendererOf('WebGL', size), world = randomWorld(given, size), { scene, lights, unit } = world;
+        renderer.highPrecision = scene.children[0].position.x !== 0; // far off
+        const shadows = tools.shadowsOf(renderer, { lookups: lights.length }).add(scene);
+        const pictures = [];
+        for (let i = 0, after = 'start'; i < 6; ++i, after = world.step()) {
+          await tools.rested(shadows, scene, world.camera, lights.length);
+          await tools.nextFrame();
+          const channels = await tools.channelsOf(renderer, () => shadows.render(scene, world.camera));
+          for (const [channel, light] of lights.entries()) {
+            if (shadows.lights.find((one) => one.light === light).method === 'lookup')
+              pictures.push({ after, light: light.type, ...tools.comparedWithRays(channels[channel], view, scene, world.camera, light, { unit }) });
+          }
+        }
+        shadows.dispose();
+        return pictures;
+      }, seed);
+      for (const [i, { after, light, surfaces, wrong, beyond }] of told.entries())
+        assert.ok(beyond === 0 && wrong <= 0.02 * surfaces, `${wrong} of ${surfaces} pixels are wrong, ${beyond} beyond outlines: seed ${seed}, picture ${i}, ${light} after ${after}`);
+      judged += told.length;
+    }
+    console.log(`${judged} pictures`);
+    assert.ok(judged > 60, `${judged} pictures are looked up`);
+  });

@@ -23,13 +23,13 @@ function clipsLocally(renderer, { clippingPlanes, clipIntersection }, point) {
  * By pixel, rows from the top: 0 no surface, 1 in shadow, 2 lit, and the mesh's number times 4 and
  * face's times 256 besides, so that outlines can be told.
  */
-function rayPicture(renderer, scene, camera, light, seeThroughCasts) {
+function rayPicture(renderer, scene, camera, light, { seeThroughCasts = false, unit = 1 }) {
   const { drawingBufferWidth: width, drawingBufferHeight: height } = renderer.getContext();
   scene.updateMatrixWorld();
   camera.updateMatrixWorld();
   const meshes = [];
-  scene.traverse((object) => { if (object.isMesh && object.visible) meshes.push(object); });
-  const ray = new three.Raycaster(), aim = new three.Vector2(), normal = new three.Vector3(), towards = new three.Vector3(), axis = new three.Vector3();
+  scene.traverseVisible((object) => { if (object.isMesh) meshes.push(object); });
+  const ray = new three.Raycaster(), aim = new three.Vector2(), normal = new three.Vector3(), towards = new three.Vector3(), axis = new three.Vector3(), place = new three.Matrix4(), turning = new three.Matrix3();
   const found = new Float64Array(width * height);
   for (let y = 0; y < height; ++y)
     for (let x = 0; x < width; ++x) {
@@ -41,23 +41,20 @@ function rayPicture(renderer, scene, camera, light, seeThroughCasts) {
       const hit = ray.intersectObjects(meshes, false).find((one) => isSolid(one, seeThroughCasts) && !isHole(one) &&
         !renderer.clippingPlanes.some(isBeyond(one.point)) && !clipsLocally(renderer, materialOf(one), one.point));
       if (!hit) continue;
-      normal.copy(hit.face.normal);
       const number = hit.instanceId ?? hit.batchId;
-      if (number !== undefined) {
-        const place = new three.Matrix4();
-        hit.object.getMatrixAt(number, place);
-        normal.transformDirection(place);
-      }
-      normal.transformDirection(hit.object.matrixWorld);
+      if (number === undefined) place.identity();
+      else hit.object.getMatrixAt(number, place);
+      normal.copy(hit.face.normal).applyNormalMatrix(turning.getNormalMatrix(place.premultiply(hit.object.matrixWorld)));
       if (normal.dot(eye) > 0) normal.negate();
       towards.copy(light.position);
       const near = light.isPointLight || light.isSpotLight;
       if (near) towards.sub(hit.point);
-      ray.near = 1e-5;
+      else towards.sub(light.target.position);
+      ray.near = 1e-5 * unit;
       ray.far = near ? towards.length() : Infinity;
       towards.normalize();
       const inCone = !light.isSpotLight || towards.dot(axis.copy(light.position).sub(light.target.position).normalize()) > Math.cos(light.angle);
-      const faces = inCone && normal.dot(towards) > 0;
+      const faces = inCone && (normal.dot(towards) > 0 || !hit.object.castShadow); // white is lit from behind, too, where nothing casts
       ray.set(hit.point, towards);
       ray.layers.enableAll();
       const lit = faces && !ray.intersectObjects(meshes, false).some((one) => one.object.castShadow && isSolid(one, seeThroughCasts) && !isHole(one) &&
@@ -72,8 +69,8 @@ function rayPicture(renderer, scene, camera, light, seeThroughCasts) {
  * Compares red bytes (redOf()) of white surfaces with rays. Returns numbers of pixels: with
  * surfaces, in shadow, wrong, and wrong with no outline or border of shadow within a pixel.
  */
-export function comparedWithRays(red, renderer, scene, camera, light, { seeThroughCasts = false } = {}) {
-  const { found, width, height } = rayPicture(renderer, scene, camera, light, seeThroughCasts);
+export function comparedWithRays(red, renderer, scene, camera, light, options = {}) {
+  const { found, width, height } = rayPicture(renderer, scene, camera, light, options);
   const told = { surfaces: 0, dark: 0, wrong: 0, beyond: 0 };
   for (let y = 0; y < height; ++y)
     for (let x = 0; x < width; ++x) {

@@ -89,16 +89,18 @@ async function rested(shadows, scene, camera, lights = 1) {
   return shadows.cost.lookedUp;
 }
 
-/** The red bytes of the canvas, one per pixel, rows from the top. */
-function redOf(renderer) {
+/** A channel's bytes of the canvas, red unless told, one per pixel, rows from the top. */
+function channelOf(renderer, channel = 0) {
   const gl = renderer.getContext();
   const { drawingBufferWidth: width, drawingBufferHeight: height } = gl;
   const rgba = new Uint8Array(4 * width * height);
   gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, rgba);
-  const red = [];
-  for (let y = height - 1; y >= 0; --y) for (let x = 0; x < width; ++x) red.push(rgba[4 * (y * width + x)]);
-  return red;
+  const bytes = [];
+  for (let y = height - 1; y >= 0; --y) for (let x = 0; x < width; ++x) bytes.push(rgba[4 * (y * width + x) + channel]);
+  return bytes;
 }
+
+const redOf = (renderer) => channelOf(renderer);
 
 /** Bytes as text, which leaves the page some fifty times as fast as a list of numbers. */
 const base64Of = (bytes) => {
@@ -259,4 +261,4 @@ function rendererName() {
   return gl?.getParameter(gl.getExtension('WEBGL_debug_renderer_info')?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER) ?? '';
 }
 
-window.page = { ...views, ExactShadowsPass, rendererName, hash, redAt, stateOf, attributesOf, three, ExactShadows, rendererOf, loaded, whiten, cameraOf, lampOf, drawn, rested, frame, redOf, redTextOf, base64Of, yard, pattern, fence, changedPicture, comparedWithRays, glbAsPosed, walkingFigure };
+window.page = { ...views, ExactShadowsPass, rendererName, hash, redAt, stateOf, attributesOf, three, ExactShadows, rendererOf, loaded, whiten, cameraOf, lampOf, drawn, rested, frame, channelOf, redOf, redTextOf, base64Of, yard, pattern, fence, changedPicture, comparedWithRays, glbAsPosed, walkingFigure };
