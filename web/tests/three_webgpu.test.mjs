@@ -135,7 +135,7 @@ test('above a resting light three.js draws the mover alone, and lights say what 
     /** Draws while act() changes things, for some of the page's milliseconds or until a light has this reason. */
     const draws = async (step, wanted, act = () => {}) => {
       const had = ways[step] = new Set();
-      for (const since = Date.now(); Date.now() - since < 30000 && !had.has(wanted);) {
+      for (const since = Date.now(); Date.now() - since < 60000 && !had.has(wanted);) {
         act();
         shadows.render(scene, camera);
         const [{ method, reason }] = shadows.lights;
