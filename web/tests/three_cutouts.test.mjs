@@ -196,7 +196,7 @@ test('what is not exact is told once, by name and reason', async () => {
     "Alpha-tested mesh 'both' casts the shadow of its alphaMap alone, without its map's alpha.",
     "Alpha-tested mesh 'coloured' casts as if its vertices' alpha were 1.",
     "Alpha-tested mesh 'target' casts nothing: its texture may change in every frame.",
-    "Light 'second' lacks the shadows of cutouts and tints, as it is not looked up: 1 lights are looked up at once.",
+    "Light 'second' lacks the shadows of cutouts and tints, as it is not looked up: at most 1 at once.",
     "Light 'soft' lacks the shadows of cutouts and tints, as it is not looked up: it has a radius.",
   ]);
 });

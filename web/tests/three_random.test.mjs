@@ -57,3 +57,49 @@ test('worlds that change at random', async () => {
   console.log(methods);
   for (const method of ['mask', 'lookup', 'lookup and movers']) assert.ok(methods[method] > 0, `no light has ${method}`);
 });
+
+/** The same with panes that tint and leaves that are cut out, where their light is looked up. */
+async function seeThroughCourse({ seed, steps }) {
+  const { randomWorld } = await import('/tests/random-world.js');
+  const { comparedTints } = await import('/tests/tint-rays.js');
+  const { ExactShadows, rendererOf, drawn } = window.page;
+  const size = { width: 120, height: 80 };
+  const renderer = rendererOf(size), world = randomWorld(seed, size, { seeThrough: true }), { scene, lights, unit } = world;
+  const shadows = new ExactShadows(renderer, { transparentCast: 'tint' }).add(scene);
+  /** What a pane lets through. */
+  const tintOf = ({ name, material: { color, opacity } }) => (name === 'pane' ? color.toArray().map((share) => share * (1 - opacity)) : null);
+  const told = [];
+  let after = 'start';
+  for (let i = 0; i < steps; ++i) {
+    await drawn(shadows, scene, world.camera);
+    for (const since = Date.now(); Date.now() - since < 20000 && shadows.lights[0].method !== 'lookup';) {
+      await new Promise((resolve) => { setTimeout(resolve, 400); });
+      await drawn(shadows, scene, world.camera);
+    }
+    const [{ method }] = shadows.lights;
+    told.push({ after, light: lights[0].type, method, ...comparedTints(renderer, scene, world.camera, lights[0], tintOf, unit) });
+    after = world.step();
+  }
+  shadows.dispose();
+  renderer.dispose();
+  renderer.domElement.remove();
+  return told;
+}
+
+test('panes and leaves that change at random', async () => {
+  let tinted = 0;
+  for (const seed of isLong ? seeds : [6]) {
+    const page = await openThree(shared, 'three', { haste: 5 });
+    const told = await page.evaluate(([text, given]) => (0, eval)(`(${text})`)(given), [seeThroughCourse.toString(), { seed, steps: times(5, 10) }]);
+    for (const [i, { after, light, method, compared, wrong, beyond, ...of }] of told.entries()) {
+      const name = `seed ${seed}, picture ${i}, ${light} after ${after}`;
+      tinted += of.tinted;
+      assert.equal(method, 'lookup', name);
+      assert.equal(beyond, 0, `pixels beyond outlines are wrong: ${name}`);
+      assert.ok(wrong <= 0.1 * compared, `${wrong} of ${compared} pixels are wrong: ${name}`);
+    }
+    await shared.check(page);
+  }
+  console.log(`${tinted} tinted pixels`);
+  assert.ok(tinted > 500, `${tinted} pixels are tinted`);
+});

@@ -158,7 +158,7 @@ export class ExactShadows extends EventTarget {
    * Nothing in other lights.
    *
    * With transparent or alphaHash and transmission, that is color * (1 - opacity * (1 - transmission)). A
-   * mesh whose triangles close it, like a box, counts once on a ray, others at each triangle. map,
+   * mesh whose triangles close it, like a box, counts where light enters it, others at each triangle. map,
    * alphaMap and transmissionMap vary it as in the picture. Vertex colours and attenuation do not tint; the
    * console names such meshes, once. A ShadowMaterial takes the mean of the colours.
    */

@@ -494,7 +494,7 @@ export class ExactShadows extends EventTarget {
     const whys = this.notLookedUp, most = Math.min(this.#mostLookedUp, this.#patches.slots);
     for (const [i, { light, numbers }] of this.#lights.entries()) {
       if (this.#maps[i]) continue;
-      const why = numbers.radius > 0 ? 'it has a radius' : whys.get(light) ?? (this.#lookedUp >= most && `${most} lights are looked up at once`);
+      const why = numbers.radius > 0 ? 'it has a radius' : whys.get(light) ?? (this.#lookedUp >= most && `at most ${most} at once`);
       if (why) this.#warnings.warn(light, `Light '${light.name}' lacks the shadows of cutouts and tints, as it is not looked up: ${why}.`);
     }
   }

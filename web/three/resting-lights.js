@@ -168,7 +168,7 @@ export class RestingLights {
     if (now - this.cutoutsMoved < restMs) return 'leaves or glass have moved within half a second';
     if (current && !current.state.rested) return 'its map is built';
     const others = [...this.#entries.values()].filter((entry) => entry.current?.map ?? entry.next);
-    return !current?.map && others.length >= this.#most ? `${this.#most} other lights are looked up` : '';
+    return !current?.map && others.length >= this.#most ? `others are looked up: ${this.#most}` : '';
   }
 
   /** Builds one map at a time, so that drawing keeps a core. */

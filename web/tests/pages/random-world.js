@@ -1,6 +1,7 @@
 // A small world of three.js that changes at random, with surfaces that are white wherever they are lit.
 
 import * as three from 'three';
+import { blobs } from './foliage.js';
 
 /** Random numbers that a seed determines. */
 function randomOf(seed) {
@@ -69,9 +70,21 @@ function placeInstances(mesh, random) {
   mesh.instanceMatrix.needsUpdate = true;
 }
 
-/** A mesh whose name is its kind: plain, instanced, morphed, or with several materials. */
-function meshOf(random) {
+/** A pane of glass, closed or a sheet, or a sheet with holes; named 'pane' or 'leaf'. */
+function seeThroughOf(random) {
   const { oneOf, isTrue, between } = random;
+  const name = oneOf(['pane', 'leaf']), isClosed = name === 'pane' && isTrue(0.5);
+  const geometry = isClosed ? oneOf(closed)(random) : new three.PlaneGeometry(between(0.6, 2), between(0.6, 2), oneOf([1, 2]), 1);
+  const material = white(three.DoubleSide);
+  if (name === 'pane') Object.assign(material, { transparent: true, opacity: between(0.2, 0.8), depthWrite: false, color: new three.Color().setRGB(between(0.2, 1), between(0.2, 1), between(0.2, 1)) });
+  else Object.assign(material, { alphaTest: between(0.3, 0.7), map: blobs(oneOf([4, 8]), 8, { seed: Math.floor(between(1, 1000)) }) });
+  return Object.assign(new three.Mesh(geometry, material), { name, castShadow: true, receiveShadow: true });
+}
+
+/** A mesh whose name is its kind: plain, instanced, morphed, or with several materials. */
+function meshOf(random, seeThrough) {
+  const { oneOf, isTrue, between } = random;
+  if (seeThrough && isTrue(0.5)) return seeThroughOf(random);
   const isClosed = isTrue(0.7), geometry = oneOf(isClosed ? closed : open)(random);
   const material = white(isClosed && isTrue(0.5) ? three.FrontSide : three.DoubleSide);
   const name = oneOf(['plain', 'plain', 'plain', 'instanced', 'morphed', 'materials']);
@@ -87,11 +100,11 @@ function meshOf(random) {
 }
 
 /**
- * Some meshes above a ground, up to three lights, each of one channel of colour, and a camera. Returns {scene, camera,
- * lights, planes, unit, random, step()}: `planes` clip everything, `unit` is the length of what would be 1, and step()
- * makes some changes and returns their names.
+ * Some meshes above a ground, up to three lights, each of one channel of colour, and a camera; with `seeThrough`, one
+ * white light, panes and leaves too. Returns {scene, camera, lights, planes, unit, random, step()}: `planes` clip
+ * everything, `unit` is the length of what would be 1, and step() makes some changes and returns their names.
  */
-export function randomWorld(seed, { width, height }) {
+export function randomWorld(seed, { width, height }, { seeThrough = false } = {}) {
   const random = randomOf(seed), { between, oneOf, isTrue } = random;
   const unit = oneOf([1, 1, 1, 0.001, 1000]);
   const scene = new three.Scene(), root = new three.Group(), arm = new three.Group(), hand = new three.Group();
@@ -116,14 +129,14 @@ export function randomWorld(seed, { width, height }) {
     meshes.push(mesh);
   };
   const addNew = () => {
-    const mesh = meshOf(random);
+    const mesh = meshOf(random, seeThrough);
     place(mesh, random);
     add(mesh, oneOf([root, root, arm, hand, named('plain') ?? root]));
   };
   const moveLight = (light) => { toWorld(light.position.set(between(-2.5, 2.5), light.isDirectionalLight ? between(1, 4) : between(2.8, 5), between(-2.5, 2.5))); };
   const setLight = (channel) => {
     const had = world.lights[channel], kind = oneOf(['DirectionalLight', 'PointLight', 'SpotLight']);
-    const color = new three.Color().setRGB(...[0, 1, 2].map((i) => (i === channel ? 1 : 0)));
+    const color = new three.Color().setRGB(...[0, 1, 2].map((i) => (seeThrough || i === channel ? 1 : 0)));
     const light = kind === 'DirectionalLight' ? new three.DirectionalLight(color, Math.PI) : new three[kind](color, Math.PI, 0, ...(kind === 'SpotLight' ? [0.7, 0, 0] : [0]));
     light.castShadow = true;
     moveLight(light);
@@ -214,10 +227,18 @@ export function randomWorld(seed, { width, height }) {
       if (mesh) mesh.count = Math.floor(between(0, 6));
     },
     showBothSides: () => { for (const material of [oneOf(meshes).material].flat()) material.side = three.DoubleSide; },
+    fade: () => {
+      const mesh = named('pane');
+      if (mesh) mesh.material.opacity = between(0.2, 0.8);
+    },
+    cutMore: () => {
+      const mesh = named('leaf');
+      if (mesh) mesh.material.alphaTest = between(0.3, 0.7);
+    },
     replaceLight: () => setLight(Math.floor(between(0, world.lights.length))),
     moveLight: () => moveLight(oneOf(world.lights)),
     setCamera,
-    clip: () => { world.planes = Array.from({ length: oneOf([0, 1, 1, 2]) }, planeOf); },
+    clip: () => { if (!seeThrough) world.planes = Array.from({ length: oneOf([0, 1, 1, 2]) }, planeOf); },
   };
 
   /** Rays miss nothing that has grown. */
@@ -228,7 +249,7 @@ export function randomWorld(seed, { width, height }) {
     }
   };
 
-  for (let channel = 0, count = oneOf([1, 1, 2, 3]); channel < count; ++channel) setLight(channel);
+  for (let channel = 0, count = seeThrough ? 1 : oneOf([1, 1, 2, 3]); channel < count; ++channel) setLight(channel);
   for (let i = 0; i < 7; ++i) addNew();
   setCamera();
   boundForRays();
