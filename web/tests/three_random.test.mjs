@@ -8,7 +8,7 @@ import { openThree } from './support/three.mjs';
 
 const shared = useBrowser({ sharesPages: true });
 
-/** What the adapter draws of a random world and its changes, beside rays: a list of {after, light, method, surfaces, wrong, beyond}. */
+/** Pictures of a random world and its changes beside rays: a list of {after, light, method, surfaces, wrong, beyond}. */
 async function course({ seed, steps }) {
   const { randomWorld } = await import('/tests/random-world.js');
   const { ExactShadows, rendererOf, comparedWithRays, drawn, channelOf } = window.page;
@@ -66,7 +66,7 @@ async function seeThroughCourse({ seed, steps }) {
   const size = { width: 120, height: 80 };
   const renderer = rendererOf(size), world = randomWorld(seed, size, { seeThrough: true }), { scene, lights, unit } = world;
   const shadows = new ExactShadows(renderer, { transparentCast: 'tint' }).add(scene);
-  /** What a pane lets through. */
+  /** Light that a pane lets through; null: it is no pane. */
   const tintOf = ({ name, material: { color, opacity } }) => (name === 'pane' ? color.toArray().map((share) => share * (1 - opacity)) : null);
   const told = [];
   let after = 'start';
