@@ -499,6 +499,27 @@ test('leaves that move, and those whose alpha is not known, have the shadows of 
     "See-through mesh 'pane' tints without what nodes compute of it."]);
 });
 
+test('a light that other ExactShadows have is told, and either may go first', async () => {
+  for (const order of [[0, 1], [1, 0]]) {
+    const { told, reports } = await inPage(async (tools, given) => {
+      const renderer = await tools.rendererOf('WebGL'), { scene, camera } = await tools.sceneOf('yard');
+      const [light, target] = tools.lampOf('DirectionalLight', [0.5, 1, -0.3]);
+      scene.add(light, target);
+      const all = [tools.shadowsOf(renderer).add(scene), tools.shadowsOf(renderer).add(scene)];
+      for (const shadows of all) shadows.render(scene, camera);
+      const had = [];
+      for (const i of given) {
+        all[i].dispose();
+        had.push(Boolean(light.shadow.shadowNode));
+      }
+      renderer.render(scene, camera);
+      return had;
+    }, order, [/other ExactShadows/]);
+    assert.deepEqual(told, [true, false]);
+    assert.deepEqual([...reports].filter((text) => /other/.test(text)), ["Light '' has the shadows of other ExactShadows: dispose() of those first."]);
+  }
+});
+
 test('lights have their own shadow nodes and maps\' sizes again afterwards, and bad choices are refused', async () => {
   const told = await inPage(async (tools) => {
     const renderer = await tools.rendererOf('WebGL');

@@ -9,6 +9,7 @@ import { MapNodes } from './map-nodes.js';
 import { ownMapOf } from './own-map.js';
 
 export class LightShadowNode extends ShadowBaseNode {
+  isGone = false; // end() was called
   #map = new MapNodes();
   #casters = new Set();
   #drawsOwn = uniform(0, 'int').setGroup(renderGroup);
@@ -89,6 +90,7 @@ export class LightShadowNode extends ShadowBaseNode {
 
   /** Frees the map's table, too. */
   end() {
+    this.isGone = true;
     if (this.#isHigher) this.#rebind();
     this.dispose();
     this.#map.dispose();

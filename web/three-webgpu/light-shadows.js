@@ -71,7 +71,9 @@ export class LightShadows {
   }
 
   #attach(light) {
-    const entry = { node: new LightShadowNode(light, (mesh) => this.#allCasts(mesh)), before: light.shadow.shadowNode, others: [], untinted: 0 };
+    const { shadowNode: before } = light.shadow;
+    if (before instanceof LightShadowNode) console.warn(`Light '${light.name}' has the shadows of other ExactShadows: dispose() of those first.`);
+    const entry = { node: new LightShadowNode(light, (mesh) => this.#allCasts(mesh)), before, others: [], untinted: 0 };
     this.#nodes.set(light, entry);
     light.shadow.shadowNode = entry.node;
     compileAgain(light);
@@ -81,7 +83,7 @@ export class LightShadows {
   #drop(light) {
     const { node, before } = this.#nodes.get(light);
     this.#nodes.delete(light);
-    light.shadow.shadowNode = before;
+    if (light.shadow.shadowNode === node) light.shadow.shadowNode = before?.isGone ? undefined : before;
     compileAgain(light);
     node.end();
   }

@@ -124,7 +124,7 @@ export class ExactShadows extends EventTarget {
     this.#mostLookedUp = Math.min(lookups, mostSlots);
     this.#textures = new MaskTextures(renderer);
     this.#compiling = new MaterialCompiling(renderer);
-    this.#patches = new MaterialPatches(this.#uniforms, renderer.capabilities.maxTextures, this.#mostLookedUp, (camera) => this.#views?.show(camera), (material) => this.#displacements?.lacks(material) ?? true);
+    this.#patches = new MaterialPatches(renderer, this.#uniforms, renderer.capabilities.maxTextures, this.#mostLookedUp, (camera) => this.#views?.show(camera), (material) => this.#displacements?.lacks(material) ?? true);
     const canvas = renderer.domElement;
     canvas.addEventListener('webglcontextlost', this.#forget);
     canvas.addEventListener('webglcontextrestored', this.#restore);

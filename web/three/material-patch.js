@@ -36,6 +36,9 @@ function slotsOf(material, mostTextures, most) {
 const warnOf = (material) =>
   console.warn(`Material '${material.name || material.type}' shows no shadows: its shader lights surfaces without three.js's lights_fragment_begin.`);
 
+const warnOfOther = (material) =>
+  console.warn(`Material '${material.name || material.type}' has the shadows of other ExactShadows of its renderer: dispose() of those first.`);
+
 const vertexPlaced = '#include <project_vertex>';
 
 /** Adds the fragment's position, which a ShadowMaterial's stages lack. */
@@ -79,10 +82,11 @@ function withShadows(source, material, slots, casters, masked) {
 }
 
 export class MaterialPatches {
+  #renderer; // others draw materials as they were
   #uniforms;
   #key = `edgeshade ${MathUtils.generateUUID()}`; // programs keep the uniforms they were compiled
                                                   // with
-  #patched = new WeakMap(); // by material: its original functions
+  #patched = new WeakMap(); // by material: its original functions, and the patch's
   #alive = new Set();       // weak references to these materials
   #gone = new FinalizationRegistry((reference) => this.#alive.delete(reference));
 
@@ -93,10 +97,11 @@ export class MaterialPatches {
   #lacks;
   #casters = { cutouts: false, tints: false, soft: false }; // that programs can look up
 
-  /** `uniforms`: for declarations(), in three.js's form, shared by all materials;
+  /** `renderer`: for its programs alone; `uniforms`: for declarations(), in three.js's form, shared by all materials;
    * `mostTextures`: limit per program; `most`: lights' maps at once; `draws(camera)` is called
    * before three.js draws a material; `lacks(material)`: whether masks lack its displaced vertices. */
-  constructor(uniforms, mostTextures, most, draws, lacks) {
+  constructor(renderer, uniforms, mostTextures, most, draws, lacks) {
+    this.#renderer = renderer;
     this.#draws = draws;
     this.#lacks = lacks;
     this.#uniforms = uniforms;
@@ -146,20 +151,28 @@ export class MaterialPatches {
     const { onBeforeCompile, customProgramCacheKey, onBeforeRender } = material;
     const own = Object.hasOwn(material, 'customProgramCacheKey');
     const uniforms = { ...this.#uniforms, edgeshadeCasts: { value: casting > 0 }, edgeshadeHeld: { value: casting > 1 } };
-    this.#patched.set(material, { onBeforeCompile, customProgramCacheKey, onBeforeRender, own, ownRender: Object.hasOwn(material, 'onBeforeRender'), casts: uniforms.edgeshadeCasts, held: uniforms.edgeshadeHeld, masked: this.#isMasked(material) });
     const reference = new WeakRef(material);
     this.#alive.add(reference);
     this.#gone.register(material, reference);
     const key = `${this.#key} ${slots}`, casters = () => this.#casters, isMasked = () => this.#isMasked(material);
-    const draws = this.#draws;
+    const draws = this.#draws, ours = this.#renderer;
+    const patch = { onBeforeCompile, customProgramCacheKey, onBeforeRender, own, ownRender: Object.hasOwn(material, 'onBeforeRender'), casts: uniforms.edgeshadeCasts, held: uniforms.edgeshadeHeld, masked: this.#isMasked(material), isGone: false };
+    this.#patched.set(material, patch);
     let takes = true; // known once its shader is made, which is after the first call
     material.onBeforeRender = function (renderer, scene, camera, geometry, object, ...given) {
       onBeforeRender.call(this, renderer, scene, camera, geometry, object, ...given);
+      if (renderer !== ours || patch.isGone) return;
       draws(camera);
       if (takes) placeFarVertices(object);
     };
     material.onBeforeCompile = function (shader, renderer) {
       onBeforeCompile.call(this, shader, renderer);
+      if (renderer !== ours || patch.isGone) return;
+      if (shader.uniforms.edgeshadeCasts) {
+        takes = false;
+        warnOfOther(this);
+        return;
+      }
       const changed = withShadows(shader.fragmentShader, this, slots, casters(), isMasked());
       if (changed === null) {
         warnOf(this);
@@ -176,21 +189,24 @@ export class MaterialPatches {
     // three.js's own key is the text of onBeforeCompile, which is now the patch's.
     const before = own ? null : onBeforeCompile.toString();
     material.customProgramCacheKey = function () {
-      return `${key} ${Object.values(casters())} ${isMasked()} ${before ?? customProgramCacheKey.call(this)}`;
+      return `${patch.isGone ? '' : `${key} ${Object.values(casters())} ${isMasked()}`} ${before ?? customProgramCacheKey.call(this)}`;
     };
+    patch.compiles = material.onBeforeCompile;
     material.needsUpdate = true;
   }
 
-  /** Restores all materials. */
+  /** Restores all materials; those that were patched again later keep functions that no longer do anything. */
   clear() {
     for (const material of this.materials) {
-      const { onBeforeCompile, customProgramCacheKey, onBeforeRender, own, ownRender } = this.#patched.get(material);
+      const patch = this.#patched.get(material), { onBeforeCompile, customProgramCacheKey, onBeforeRender, own, ownRender, compiles } = patch;
+      patch.isGone = true;
+      material.needsUpdate = true;
+      if (material.onBeforeCompile !== compiles) continue;
       material.onBeforeCompile = onBeforeCompile;
       if (own) material.customProgramCacheKey = customProgramCacheKey;
       else delete material.customProgramCacheKey;
       if (ownRender) material.onBeforeRender = onBeforeRender;
       else delete material.onBeforeRender;
-      material.needsUpdate = true;
     }
     this.#patched = new WeakMap();
     this.#alive.clear();
