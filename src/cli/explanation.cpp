@@ -82,12 +82,12 @@ std::string explanationOf(const Renderer& renderer, const GpuScene& scene, const
     case ShadowMethod::volumes:
         break;
     }
+    if (ExtendedLights::points(view) > 0)
+        methods += "each light with an extent is the sum of its points; of the last pass:\n";
     if (renderer.volumes()->layout() == VolumeLayout::triangles)
         return methods + bruteForceOf(renderer.plan());
     if (renderer.volumes()->layout() == VolumeLayout::oppositeVertices)
         return methods + "opposite-vertex records: every edge and all caps of every light, z-fail";
-    if (ExtendedLights::points(view) > 0)
-        methods += "each light with an extent is the sum of its points; of the last pass:\n";
     return methods + explain(renderer.plan(), view);
 }
 

@@ -369,6 +369,10 @@ TEST(Rendering, ExplainsWhatIsDrawnAndWhy) {
                   3);
         EXPECT_LT(glm::distance(glm::dvec3(x, y, z), glm::dvec3(200, 300, 200)), 1.1) << points;
     }
+    EXPECT_NE(explained({"--light", "200,300,200", "--light-radius", "1", "--light-samples", "3",
+                         "--mask", "--layout", "brute-force"})
+                  .find("the sum of its points"),
+              std::string::npos);
     EXPECT_NE(explained({"--shadows", "map"}).find("shadow maps"), std::string::npos);
     const std::string maps =
         explained({"--shadows", "map", "--map-size", "256", "--filter", "vsm", "--map-kind",

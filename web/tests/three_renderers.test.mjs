@@ -89,3 +89,22 @@ test('two ExactShadows of one renderer: a sentence says so, and the first one\'s
   isRight(told.later, 'the second, once the first is disposed of');
   assert.deepEqual(reports, ["Material 'MeshToonMaterial' has the shadows of other ExactShadows of its renderer: dispose() of those first."]);
 });
+
+test('a material whose onBeforeCompile is set later has both, and keeps its own afterwards', async () => {
+  const { told } = await inPage(async ({ ExactShadows, renderer, scene, camera, ground, drawn, judge, redAt }) => {
+    const shadows = new ExactShadows(renderer).add(scene);
+    await drawn(shadows, scene, camera);
+    const { material } = ground, { customProgramCacheKey } = material;
+    const halve = (shader) => { shader.fragmentShader = shader.fragmentShader.replace('#include <dithering_fragment>', (found) => `${found}\n\tgl_FragColor.rgb *= 0.75;`); };
+    const lit = [2.5, 0, 2.5], before = redAt(renderer, camera, lit);
+    material.onBeforeCompile = halve;
+    material.needsUpdate = true;
+    await drawn(shadows, scene, camera);
+    const after = redAt(renderer, camera, lit), exact = judge(renderer);
+    shadows.dispose();
+    return { before, after, exact, restored: [material.onBeforeCompile === halve, Object.hasOwn(material, 'customProgramCacheKey'), customProgramCacheKey !== material.customProgramCacheKey] };
+  });
+  assert.deepEqual([told.before, told.after], [255, 191]);
+  isRight(told.exact, 'both');
+  assert.deepEqual(told.restored, [true, false, true]);
+});

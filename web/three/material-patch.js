@@ -81,12 +81,26 @@ function withShadows(source, material, slots, casters, masked) {
   return `${text.slice(0, main)}\n${shadowMask}${text.slice(main).replaceAll('getShadowMask()', 'edgeshadeMask()')}`;
 }
 
+const patchedNames = ['onBeforeCompile', 'customProgramCacheKey', 'onBeforeRender'];
+const wrappers = new WeakSet(); // each patch's onBeforeCompile
+
+/** Restores a material's functions; those that something has replaced since stay, and the patch's do nothing below them. */
+function takeOff(material, patch) {
+  patch.isGone = true;
+  for (const name of patchedNames) {
+    if (material[name] !== patch.set[name]) continue;
+    if (patch.own.includes(name)) material[name] = patch.before[name];
+    else delete material[name];
+  }
+  material.needsUpdate = true;
+}
+
 export class MaterialPatches {
   #renderer; // others draw materials as they were
   #uniforms;
   #key = `edgeshade ${MathUtils.generateUUID()}`; // programs keep the uniforms they were compiled
                                                   // with
-  #patched = new WeakMap(); // by material: its original functions, and the patch's
+  #patched = new WeakMap(); // by material: its original functions, and those set
   #alive = new Set();       // weak references to these materials
   #gone = new FinalizationRegistry((reference) => this.#alive.delete(reference));
 
@@ -144,19 +158,23 @@ export class MaterialPatches {
       known.held.value = casting > 1;
       if (known.masked !== this.#isMasked(material)) material.needsUpdate = true;
       known.masked = this.#isMasked(material);
+      if (wrappers.has(material.onBeforeCompile)) return;
+      takeOff(material, known); // something has set another one
     }
-    if (known || !takesShadow(material)) return;
+    if (!takesShadow(material)) return;
     const slots = slotsOf(material, this.#mostTextures, this.#most);
     this.#slots = Math.min(this.#slots, slots);
     const { onBeforeCompile, customProgramCacheKey, onBeforeRender } = material;
-    const own = Object.hasOwn(material, 'customProgramCacheKey');
-    const uniforms = { ...this.#uniforms, edgeshadeCasts: { value: casting > 0 }, edgeshadeHeld: { value: casting > 1 } };
-    const reference = new WeakRef(material);
-    this.#alive.add(reference);
-    this.#gone.register(material, reference);
+    const casts = known?.casts ?? { value: casting > 0 }, held = known?.held ?? { value: casting > 1 }; // a material's programs keep them
+    const uniforms = { ...this.#uniforms, edgeshadeCasts: casts, edgeshadeHeld: held };
+    if (!known) {
+      const reference = new WeakRef(material);
+      this.#alive.add(reference);
+      this.#gone.register(material, reference);
+    }
     const key = `${this.#key} ${slots}`, casters = () => this.#casters, isMasked = () => this.#isMasked(material);
     const draws = this.#draws, ours = this.#renderer;
-    const patch = { onBeforeCompile, customProgramCacheKey, onBeforeRender, own, ownRender: Object.hasOwn(material, 'onBeforeRender'), casts: uniforms.edgeshadeCasts, held: uniforms.edgeshadeHeld, masked: this.#isMasked(material), isGone: false };
+    const patch = { before: { onBeforeCompile, customProgramCacheKey, onBeforeRender }, own: patchedNames.filter((name) => Object.hasOwn(material, name)), casts, held, masked: this.#isMasked(material), isGone: false };
     this.#patched.set(material, patch);
     let takes = true; // known once its shader is made, which is after the first call
     material.onBeforeRender = function (renderer, scene, camera, geometry, object, ...given) {
@@ -187,27 +205,18 @@ export class MaterialPatches {
       shader.vertexShader = placed;
     };
     // three.js's own key is the text of onBeforeCompile, which is now the patch's.
-    const before = own ? null : onBeforeCompile.toString();
+    const before = patch.own.includes('customProgramCacheKey') ? null : onBeforeCompile.toString();
     material.customProgramCacheKey = function () {
       return `${patch.isGone ? '' : `${key} ${Object.values(casters())} ${isMasked()}`} ${before ?? customProgramCacheKey.call(this)}`;
     };
-    patch.compiles = material.onBeforeCompile;
+    patch.set = Object.fromEntries(patchedNames.map((name) => [name, material[name]]));
+    wrappers.add(material.onBeforeCompile);
     material.needsUpdate = true;
   }
 
-  /** Restores all materials; those that were patched again later keep functions that no longer do anything. */
+  /** Restores all materials. */
   clear() {
-    for (const material of this.materials) {
-      const patch = this.#patched.get(material), { onBeforeCompile, customProgramCacheKey, onBeforeRender, own, ownRender, compiles } = patch;
-      patch.isGone = true;
-      material.needsUpdate = true;
-      if (material.onBeforeCompile !== compiles) continue;
-      material.onBeforeCompile = onBeforeCompile;
-      if (own) material.customProgramCacheKey = customProgramCacheKey;
-      else delete material.customProgramCacheKey;
-      if (ownRender) material.onBeforeRender = onBeforeRender;
-      else delete material.onBeforeRender;
-    }
+    for (const material of this.materials) takeOff(material, this.#patched.get(material));
     this.#patched = new WeakMap();
     this.#alive.clear();
   }
