@@ -141,6 +141,37 @@ test('textures are read one after another until leaves cast, and those that noth
   assert.ok(isRight(left.right), JSON.stringify(left?.right));
 });
 
+test('a leaf that comes to a settled page is cut out once its texture is there', async () => {
+  const told = await onDemand(async ({ draw, settled, scene, three, shadows }) => {
+    const { blobs, white } = await import('/tests/foliage.js');
+    const leaf = (at, turned) => {
+      const mesh = new three.Mesh(new three.PlaneGeometry(1.4, 1.4), white({ alphaTest: 0.5, map: blobs(4, 4, { seed: 3 }) }));
+      mesh.position.set(...at);
+      mesh.rotation.x = turned;
+      mesh.castShadow = mesh.receiveShadow = true;
+      scene.add(mesh);
+    };
+    draw();
+    await settled();
+    leaf([1.2, 0.9, 1.4], -1.4);
+    draw();
+    const onDraw = await settled();
+    leaf([-1.3, 0.8, 1.6], 1.6);
+    draw();
+    await shadows.ready();
+    draw();
+    const methods = shadows.lights.map(({ method }) => method);
+    const onReady = await settled();
+    return { onDraw, onReady, methods };
+  });
+  console.log(told);
+  assert.deepEqual(told.methods, ['lookup and movers'], 'ready() has waited for the texture');
+  for (const { needsUpdate, right } of [told.onDraw, told.onReady]) {
+    assert.equal(needsUpdate, false);
+    assert.ok(isRight(right), JSON.stringify(right));
+  }
+});
+
 test('a canvas without pixels settles, and has its shadows once it has some', async () => {
   const told = await onDemand(async ({ draw, settled, renderer, shadows }) => {
     renderer.setSize(0, 0);

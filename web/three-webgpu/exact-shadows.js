@@ -106,7 +106,7 @@ export class ExactShadows extends EventTarget {
 
   /** Resolves once everything in the last update() has its shadows. Throws any error. */
   ready() {
-    return this.#readiness.ready(() => this.#goesOn());
+    return this.#readiness.ready(() => this.#goesOn(), () => !this.#isSettled);
   }
 
   /** Counts hours of sun on an object, under the casters of the last update(). */

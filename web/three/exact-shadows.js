@@ -174,7 +174,7 @@ export class ExactShadows extends EventTarget {
    * compiled; frames after that wait for programs. Throws any error.
    */
   async ready() {
-    await this.#readiness.ready(() => this.#goesOn(), () => this.#casters?.pending || !this.#prepare());
+    await this.#readiness.ready(() => this.#goesOn(), () => !this.#isSettled || !this.#prepare());
     this.#preparation?.skip();
     if (this.#goesOn()) await this.#compile(this.#last);
   }

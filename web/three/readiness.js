@@ -20,7 +20,7 @@ export class Readiness {
    * Resolves once everything has its shadows; throws any error. `follow()` follows the scene's current state, and
    * returns false when there is nothing to follow; `waits()`: whether something hasn't its shadows yet.
    */
-  async ready(follow, waits = () => this.#casters()?.pending) {
+  async ready(follow, waits) {
     await this.#starting;
     while (follow()) {
       await this.#casters()?.settled();
