@@ -77,7 +77,11 @@ test('without lookups two frames are enough, and many meshes take one more when 
     scene.remove(model);
     draw();
     const gone = await settled();
+    scene.add(model);
+    draw();
+    const ready = shadows.ready();
     shadows.dispose();
+    await ready;
     await shadows.settled;
     return { first, many, gone };
   }, { lookups: 0 });

@@ -42,6 +42,7 @@ test('two renderers have shadows of their own, and one keeps them when the other
     await drawn(second, scene, camera);
     results['second alone'] = judge(other);
     second.dispose();
+    for (const name of ['onBeforeCompile', 'customProgramCacheKey', 'onBeforeRender']) if (Object.hasOwn(box.material, name)) throw new Error(`${name} stays`);
     const again = new ExactShadows(renderer).add(scene);
     await drawn(again, scene, camera);
     results.again = judge(renderer);

@@ -82,17 +82,26 @@ function withShadows(source, material, slots, casters, masked) {
 }
 
 const patchedNames = ['onBeforeCompile', 'customProgramCacheKey', 'onBeforeRender'];
-const wrappers = new WeakSet(); // each patch's onBeforeCompile
+const patches = new WeakMap(); // by their onBeforeCompile
 
-/** Restores a material's functions; those that something has replaced since stay, and the patch's do nothing below them. */
+/** The patch whose functions call this one's, or undefined. */
+function patchOver(patch, material) {
+  let over = patches.get(material.onBeforeCompile);
+  while (over && over.before.onBeforeCompile !== patch.set.onBeforeCompile) over = patches.get(over.before.onBeforeCompile);
+  return over;
+}
+
+/** Restores a material's functions; those that something has set since stay, and the patch's do nothing below them. */
 function takeOff(material, patch) {
   patch.isGone = true;
-  for (const name of patchedNames) {
+  material.needsUpdate = true;
+  const over = patchOver(patch, material);
+  if (over) Object.assign(over, { before: patch.before, own: patch.own });
+  else for (const name of patchedNames) {
     if (material[name] !== patch.set[name]) continue;
     if (patch.own.includes(name)) material[name] = patch.before[name];
     else delete material[name];
   }
-  material.needsUpdate = true;
 }
 
 export class MaterialPatches {
@@ -158,13 +167,12 @@ export class MaterialPatches {
       known.held.value = casting > 1;
       if (known.masked !== this.#isMasked(material)) material.needsUpdate = true;
       known.masked = this.#isMasked(material);
-      if (wrappers.has(material.onBeforeCompile)) return;
+      if (patches.has(material.onBeforeCompile)) return;
       takeOff(material, known); // something has set another one
     }
     if (!takesShadow(material)) return;
     const slots = slotsOf(material, this.#mostTextures, this.#most);
     this.#slots = Math.min(this.#slots, slots);
-    const { onBeforeCompile, customProgramCacheKey, onBeforeRender } = material;
     const casts = known?.casts ?? { value: casting > 0 }, held = known?.held ?? { value: casting > 1 }; // a material's programs keep them
     const uniforms = { ...this.#uniforms, edgeshadeCasts: casts, edgeshadeHeld: held };
     if (!known) {
@@ -172,19 +180,19 @@ export class MaterialPatches {
       this.#alive.add(reference);
       this.#gone.register(material, reference);
     }
-    const key = `${this.#key} ${slots}`, casters = () => this.#casters, isMasked = () => this.#isMasked(material);
+    const ourKey = this.#key, casters = () => this.#casters, isMasked = () => this.#isMasked(material);
     const draws = this.#draws, ours = this.#renderer;
-    const patch = { before: { onBeforeCompile, customProgramCacheKey, onBeforeRender }, own: patchedNames.filter((name) => Object.hasOwn(material, name)), casts, held, masked: this.#isMasked(material), isGone: false };
+    const patch = { before: Object.fromEntries(patchedNames.map((name) => [name, material[name]])), own: patchedNames.filter((name) => Object.hasOwn(material, name)), casts, held, masked: this.#isMasked(material), isGone: false };
     this.#patched.set(material, patch);
     let takes = true; // known once its shader is made, which is after the first call
     material.onBeforeRender = function (renderer, scene, camera, geometry, object, ...given) {
-      onBeforeRender.call(this, renderer, scene, camera, geometry, object, ...given);
+      patch.before.onBeforeRender.call(this, renderer, scene, camera, geometry, object, ...given);
       if (renderer !== ours || patch.isGone) return;
       draws(camera);
       if (takes) placeFarVertices(object);
     };
     material.onBeforeCompile = function (shader, renderer) {
-      onBeforeCompile.call(this, shader, renderer);
+      patch.before.onBeforeCompile.call(this, shader, renderer);
       if (renderer !== ours || patch.isGone) return;
       if (shader.uniforms.edgeshadeCasts) {
         takes = false;
@@ -205,12 +213,12 @@ export class MaterialPatches {
       shader.vertexShader = placed;
     };
     // three.js's own key is the text of onBeforeCompile, which is now the patch's.
-    const before = patch.own.includes('customProgramCacheKey') ? null : onBeforeCompile.toString();
     material.customProgramCacheKey = function () {
-      return `${patch.isGone ? '' : `${key} ${Object.values(casters())} ${isMasked()}`} ${before ?? customProgramCacheKey.call(this)}`;
+      const { before, own, isGone } = patch, key = own.includes('customProgramCacheKey') ? before.customProgramCacheKey.call(this) : before.onBeforeCompile.toString();
+      return isGone ? key : `${ourKey} ${slots} ${Object.values(casters())} ${isMasked()} ${key}`;
     };
     patch.set = Object.fromEntries(patchedNames.map((name) => [name, material[name]]));
-    wrappers.add(material.onBeforeCompile);
+    patches.set(material.onBeforeCompile, patch);
     material.needsUpdate = true;
   }
 

@@ -24,7 +24,7 @@ export class Readiness {
     await this.#starting;
     while (follow()) {
       await this.#casters()?.settled();
-      if (!waits()) return;
+      if (!this.#casters() || !waits()) return; // disposed of, or the context is lost
       await new Promise((resolve) => { setTimeout(resolve); }); // the page goes on between steps
     }
   }

@@ -10,10 +10,10 @@ const shown = (light) => 255 * (light <= 0.0031308 ? 12.92 * light : 1.055 * lig
 const sideOf = ({ in: entered, out }) => (entered.length > out.length ? entered : out);
 
 /**
- * Compares a picture, `rgba` with rows from the bottom, with rays, where the first mesh on a pixel's ray is solid. `tintOf(mesh, hit)`:
- * what a mesh lets through, [red, green, blue]; null: it is solid where it has no hole. A closed mesh counts once for each time that
- * light enters it. `unit`: the length of what would be 1. Returns numbers of pixels: compared, tinted, wrong by more than 3 of 255, and wrong with all
- * neighbours behind the same meshes.
+ * Compares a picture, `rgba` with rows from the bottom, with rays, where the first mesh on a pixel's ray is solid.
+ * `tintOf(mesh, hit)`: what a mesh lets through, [red, green, blue]; null: it is solid where it has no hole. A closed
+ * mesh counts once for each time that light enters it. `unit`: the length of what would be 1. Returns numbers of
+ * pixels: compared, tinted, wrong by more than 3 of 255, and wrong with all neighbours behind the same meshes.
  */
 export function tintsComparedWithRays({ rgba, width, height }, scene, camera, light, tintOf, unit = 1) {
   const meshes = [], sides = new Map();
