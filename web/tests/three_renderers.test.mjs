@@ -7,7 +7,7 @@ import { openThree } from './support/three.mjs';
 
 const shared = useBrowser({ sharesPages: true });
 
-/** Runs `act(tools, draw, judge)` in a page; returns its result, and the page's reports, of which `allowed` patterns are expected. */
+/** Runs act(tools) in a page with a yard; returns its result, and the page's reports, of which `allowed` patterns are expected. */
 async function inPage(act, allowed) {
   const page = await openThree(shared, 'three', { haste: 5 });
   const told = await page.evaluate((text) => {
