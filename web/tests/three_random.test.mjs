@@ -38,21 +38,27 @@ async function course({ seed, steps }) {
   return told;
 }
 
+/** Runs a course in a page; returns its result. */
+async function picturesOf(course, given) {
+  const page = await openThree(shared, 'three', { haste: 5 });
+  const result = await page.evaluate(([text, of]) => (0, eval)(`(${text})`)(of), [course.toString(), given]);
+  await shared.check(page);
+  return result;
+}
+
 /** Few by default, whose lights are shadowed in all ways. */
 const seeds = isLong ? Array.from({ length: 40 }, (_, i) => 1 + i) : [3, 12, 13];
 
 test('worlds that change at random', async () => {
   const methods = {};
   for (const seed of seeds) {
-    const page = await openThree(shared, 'three', { haste: 5 });
-    const told = await page.evaluate(([text, given]) => (0, eval)(`(${text})`)(given), [course.toString(), { seed, steps: times(8, 14) }]);
-    for (const [i, { after, light, method, surfaces, wrong, beyond }] of told.entries()) {
+    const pictures = await picturesOf(course, { seed, steps: times(8, 14) });
+    for (const [i, { after, light, method, surfaces, wrong, beyond }] of pictures.entries()) {
       methods[method] = (methods[method] ?? 0) + 1;
       const name = `seed ${seed}, picture ${i}, ${light} by ${method} after ${after}`;
       assert.equal(beyond, 0, `pixels beyond outlines are wrong: ${name}`);
       assert.ok(wrong <= 0.02 * surfaces, `${wrong} of ${surfaces} pixels are wrong: ${name}`);
     }
-    await shared.check(page);
   }
   console.log(methods);
   for (const method of ['mask', 'lookup', 'lookup and movers']) assert.ok(methods[method] > 0, `no light has ${method}`);
@@ -89,16 +95,14 @@ async function seeThroughCourse({ seed, steps }) {
 test('panes and leaves that change at random', async () => {
   let tinted = 0;
   for (const seed of isLong ? seeds : [6]) {
-    const page = await openThree(shared, 'three', { haste: 5 });
-    const told = await page.evaluate(([text, given]) => (0, eval)(`(${text})`)(given), [seeThroughCourse.toString(), { seed, steps: times(5, 10) }]);
-    for (const [i, { after, light, method, compared, wrong, beyond, ...of }] of told.entries()) {
+    const pictures = await picturesOf(seeThroughCourse, { seed, steps: times(5, 10) });
+    for (const [i, { after, light, method, compared, wrong, beyond, ...of }] of pictures.entries()) {
       const name = `seed ${seed}, picture ${i}, ${light} after ${after}`;
       tinted += of.tinted;
       assert.equal(method, 'lookup', name);
       assert.equal(beyond, 0, `pixels beyond outlines are wrong: ${name}`);
       assert.ok(wrong <= 0.1 * compared, `${wrong} of ${compared} pixels are wrong: ${name}`);
     }
-    await shared.check(page);
   }
   console.log(`${tinted} tinted pixels`);
   assert.ok(tinted > 500, `${tinted} pixels are tinted`);

@@ -1,7 +1,7 @@
 // A small world of three.js that changes at random, with surfaces that are white wherever they are lit.
 
 import * as three from 'three';
-import { blobs } from './foliage.js';
+import { blobs, white } from './foliage.js';
 
 /** Random numbers that a seed determines. */
 function randomOf(seed) {
@@ -18,10 +18,6 @@ function randomOf(seed) {
     isTrue: (share) => next() < share,
   };
 }
-
-const gradientMap = new three.DataTexture(new Uint8Array(8).fill(255), 2, 1, three.RedFormat);
-gradientMap.needsUpdate = true;
-const white = (side) => new three.MeshToonMaterial({ side, gradientMap });
 
 const closed = [
   ({ between }) => new three.BoxGeometry(between(0.2, 1.2), between(0.2, 1.2), between(0.2, 1.2)),
@@ -75,7 +71,7 @@ function seeThroughOf(random) {
   const { oneOf, isTrue, between } = random;
   const name = oneOf(['pane', 'leaf']), isClosed = name === 'pane' && isTrue(0.5);
   const geometry = isClosed ? oneOf(closed)(random) : new three.PlaneGeometry(between(0.6, 2), between(0.6, 2), oneOf([1, 2]), 1);
-  const material = white(three.DoubleSide);
+  const material = white();
   if (name === 'pane') Object.assign(material, { transparent: true, opacity: between(0.2, 0.8), depthWrite: false, color: new three.Color().setRGB(between(0.2, 1), between(0.2, 1), between(0.2, 1)) });
   else Object.assign(material, { alphaTest: between(0.3, 0.7), map: blobs(oneOf([4, 8]), 8, { seed: Math.floor(between(1, 1000)) }) });
   return Object.assign(new three.Mesh(geometry, material), { name, castShadow: true, receiveShadow: true });
@@ -86,7 +82,7 @@ function meshOf(random, seeThrough) {
   const { oneOf, isTrue, between } = random;
   if (seeThrough && isTrue(0.5)) return seeThroughOf(random);
   const isClosed = isTrue(0.7), geometry = oneOf(isClosed ? closed : open)(random);
-  const material = white(isClosed && isTrue(0.5) ? three.FrontSide : three.DoubleSide);
+  const material = white({ side: isClosed && isTrue(0.5) ? three.FrontSide : three.DoubleSide });
   const name = oneOf(['plain', 'plain', 'plain', 'instanced', 'morphed', 'materials']);
   const made = name === 'instanced' ? new three.InstancedMesh(geometry, material, 5)
     : new three.Mesh(geometry, name === 'materials' && geometry.groups.length > 1 ? geometry.groups.map(() => material.clone()) : material);
@@ -113,7 +109,7 @@ export function randomWorld(seed, { width, height }, { seeThrough = false } = {}
   scene.add(root);
   root.add(arm);
   arm.add(hand);
-  const ground = new three.Mesh(new three.BoxGeometry(9, 0.2, 9), white(three.FrontSide));
+  const ground = new three.Mesh(new three.BoxGeometry(9, 0.2, 9), white({ side: three.FrontSide }));
   ground.position.y = -0.1;
   ground.castShadow = ground.receiveShadow = true;
   root.add(ground);
@@ -212,7 +208,7 @@ export function randomWorld(seed, { width, height }, { seeThrough = false } = {}
       if (!geometry) return;
       const { count } = geometry.index ?? geometry.attributes.position;
       geometry.setDrawRange(0, isTrue(0.3) ? Infinity : 3 * Math.floor(between(0.3, 1) * count / 3));
-      for (const mesh of meshes) if (mesh.geometry === geometry) mesh.material = white(three.DoubleSide); // it is open
+      for (const mesh of meshes) if (mesh.geometry === geometry) mesh.material = white(); // it is open
     },
     morph: () => {
       const mesh = named('morphed');

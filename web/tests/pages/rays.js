@@ -19,6 +19,19 @@ function clipsLocally(renderer, { clippingPlanes, clipIntersection }, point) {
   return clipIntersection ? clippingPlanes.every(isBeyond(point)) : clippingPlanes.some(isBeyond(point));
 }
 
+/** The instance's number in an instanced or batched mesh, or undefined. */
+const numberOf = ({ instanceId, batchId }) => instanceId ?? batchId;
+
+const place = new three.Matrix4(), turning = new three.Matrix3();
+
+/** Normal in the world of the triangle that a ray has hit, on its front. */
+export function normalOf(hit) {
+  const { object, face } = hit, number = numberOf(hit);
+  if (number === undefined) place.identity();
+  else object.getMatrixAt(number, place);
+  return face.normal.clone().applyNormalMatrix(turning.getNormalMatrix(place.premultiply(object.matrixWorld)));
+}
+
 /**
  * By pixel, rows from the top: 0 no surface, 1 in shadow, 2 lit, and the mesh's number times 4 and
  * face's times 256 besides, so that outlines can be told.
@@ -29,7 +42,7 @@ function rayPicture(renderer, scene, camera, light, { seeThroughCasts = false, u
   camera.updateMatrixWorld();
   const meshes = [];
   scene.traverseVisible((object) => { if (object.isMesh) meshes.push(object); });
-  const ray = new three.Raycaster(), aim = new three.Vector2(), normal = new three.Vector3(), towards = new three.Vector3(), axis = new three.Vector3(), place = new three.Matrix4(), turning = new three.Matrix3();
+  const ray = new three.Raycaster(), aim = new three.Vector2(), towards = new three.Vector3(), axis = new three.Vector3();
   const found = new Float64Array(width * height);
   for (let y = 0; y < height; ++y)
     for (let x = 0; x < width; ++x) {
@@ -41,10 +54,7 @@ function rayPicture(renderer, scene, camera, light, { seeThroughCasts = false, u
       const hit = ray.intersectObjects(meshes, false).find((one) => isSolid(one, seeThroughCasts) && !isHole(one) &&
         !renderer.clippingPlanes.some(isBeyond(one.point)) && !clipsLocally(renderer, materialOf(one), one.point));
       if (!hit) continue;
-      const number = hit.instanceId ?? hit.batchId;
-      if (number === undefined) place.identity();
-      else hit.object.getMatrixAt(number, place);
-      normal.copy(hit.face.normal).applyNormalMatrix(turning.getNormalMatrix(place.premultiply(hit.object.matrixWorld)));
+      const normal = normalOf(hit);
       if (normal.dot(eye) > 0) normal.negate();
       towards.copy(light.position);
       const near = light.isPointLight || light.isSpotLight;
@@ -60,7 +70,7 @@ function rayPicture(renderer, scene, camera, light, { seeThroughCasts = false, u
       const lit = faces && !ray.intersectObjects(meshes, false).some((one) => one.object.castShadow && isSolid(one, seeThroughCasts) && !isHole(one) &&
         !(materialOf(one).clipShadows && clipsLocally(renderer, materialOf(one), one.point)));
       const side = Math.round(normal.x) + 3 * Math.round(normal.y) + 9 * Math.round(normal.z) + 13;
-      found[y * width + x] = (lit ? 2 : 1) + 4 * (1 + meshes.indexOf(hit.object)) + 256 * side + 8192 * (number ?? 0);
+      found[y * width + x] = (lit ? 2 : 1) + 4 * (1 + meshes.indexOf(hit.object)) + 256 * side + 8192 * (numberOf(hit) ?? 0);
     }
   return { found, width, height };
 }

@@ -1,6 +1,7 @@
 // Penumbras by rays on the CPU to each point of a light: the grey of white surfaces.
 
 import * as three from 'three';
+import { normalOf } from './rays.js';
 
 /** The display's value of linear light, 0 to 255. */
 const shown = (light) => 255 * (light <= 0.0031308 ? 12.92 * light : 1.055 * light ** (1 / 2.4) - 0.055);
@@ -17,7 +18,7 @@ export function comparedShares(renderer, scene, camera, points) {
   gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, rgba);
   const meshes = [];
   scene.traverse((object) => { if (object.isMesh) meshes.push(object); });
-  const ray = new three.Raycaster(), aim = new three.Vector2(), normal = new three.Vector3(), towards = new three.Vector3();
+  const ray = new three.Raycaster(), aim = new three.Vector2(), towards = new three.Vector3();
   const casting = meshes.filter((mesh) => mesh.castShadow);
   const found = [];
   for (let y = 0; y < height; ++y)
@@ -31,7 +32,7 @@ export function comparedShares(renderer, scene, camera, points) {
         found.push(null);
         continue;
       }
-      normal.copy(hit.face.normal).transformDirection(hit.object.matrixWorld);
+      const normal = normalOf(hit);
       if (normal.dot(eye) > 0) normal.negate();
       let lit = 0;
       for (const [px, py, pz, w] of points) {

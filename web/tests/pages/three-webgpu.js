@@ -8,7 +8,7 @@ import { ExactShadows as NodeShadows } from 'edgeshade/three-webgpu';
 import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { blobs, leafAtlas, treeOf } from './foliage.js';
-import { comparedWithRays } from './rays.js';
+import { comparedWithRays, normalOf } from './rays.js';
 import { sampled } from './texel-alpha.js';
 import { tintsComparedWithRays } from './tint-rays.js';
 
@@ -307,7 +307,7 @@ function shinesAt({ meshes, camera, light }, x, y) {
   ray.setFromCamera(new three.Vector2(2 * x / width - 1, 1 - 2 * y / height), camera);
   const eye = ray.ray.direction.clone(), [hit] = ray.intersectObjects(meshes, false);
   if (!hit) return false;
-  const normal = hit.face.normal.clone().transformDirection(hit.object.matrixWorld);
+  const normal = normalOf(hit);
   if (normal.dot(eye) > 0) normal.negate();
   const towards = light.position.clone().normalize();
   ray.near = 1e-5;

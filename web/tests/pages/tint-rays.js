@@ -1,6 +1,7 @@
 // Light through see-through meshes by rays on the CPU: the colour of a white floor.
 
 import * as three from 'three';
+import { normalOf } from './rays.js';
 import { isHole } from './texel-alpha.js';
 
 /** The display's value of linear light, 0 to 255. */
@@ -29,11 +30,6 @@ export function tintsComparedWithRays({ rgba, width, height }, scene, camera, li
   });
   const ray = new three.Raycaster(), aim = new three.Vector2(), towards = new three.Vector3();
   const near = !light.isDirectionalLight;
-  const normalOf = ({ object, face, instanceId }) => {
-    const place = new three.Matrix4();
-    if (instanceId !== undefined) object.getMatrixAt(instanceId, place);
-    return face.normal.clone().applyNormalMatrix(new three.Matrix3().getNormalMatrix(place.premultiply(object.matrixWorld)));
-  };
   const found = new Map();
   const at = (x, y) => {
     const key = y * width + x;
